@@ -122,6 +122,8 @@ void App::frame(const FrameInput& input) {
   const KeyPress* const last = input.played.keys.empty() ? nullptr : &input.played.keys.back();
   const ControlKey key = last != nullptr && takes_key(*last, typing) ? control_key(*last) : ControlKey::none;
   const Ui& ui = imgui_.begin_frame(now_s_, key);
+  // As the panels of the last frame stand: those of this one are drawn after what goes on in the scene.
+  const FreeArea former_area = layout_.free_area(state_.dialogs.panels_hidden);
   layout_.begin_frame(size_, scale_);
   if (picture_wait_ > 0) --picture_wait_;
   poll_jobs();
@@ -131,7 +133,6 @@ void App::frame(const FrameInput& input) {
   std::erase_if(state_.toasts, [&](const Toast& toast) { return toast.until_s <= now_s_; });
   state_.can_undo = history_.can_undo();
   state_.can_redo = history_.can_redo();
-  state_.mold_open = state_.model && has_mold_bar(state_) && layout_.unfolded("Mold");
 
   Edits edits(state_);
   take_dropped(input.dropped, edits);
@@ -143,7 +144,7 @@ void App::frame(const FrameInput& input) {
       scene_ ? scene_->section(state_.settings.look, state_.settings.direction.unit()) : std::nullopt;
   const auto split = split_view();
   SceneFrame scene_frame{.size = size_,
-                         .free = layout_.free_area(state_.dialogs.panels_hidden),
+                         .free = former_area.window == size_ ? former_area : layout_.free_area(true),
                          .open_mold = arrows_apart(opened().halves),
                          .line_shown = line_shown()};
   if (split && revision_) {

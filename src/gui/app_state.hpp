@@ -26,6 +26,10 @@ namespace moldlight::gui {
 
 struct BatchTable;
 
+/// A place on the strip along the top, in its order; each has a panel of its own and can be entered at any
+/// time.
+enum class Step : std::uint8_t { part, direction, undercuts, parting_line, draft, mold, report };
+
 /// The measured figures and how far they may be trusted.
 struct Figures {
   std::optional<Classification> shown = {};
@@ -181,6 +185,7 @@ struct Editable {
   WindowSettings window;
   std::vector<Bookmark> bookmarks;
   Camera camera;
+  Step step = Step::direction, former_step = Step::direction;
   Dialogs dialogs;
   SweepChoices sweep_choices;
   ActionChoices action_choices;
@@ -203,7 +208,6 @@ struct AppState : Editable {
   std::optional<Verdict> verdict;  // of the study; none while undercuts are not counted
   MoldState mold;
   RevisionState revisions;                  // of the part and another revision of it
-  bool mold_open = false;                   // the panel of the mold is unfolded
   std::shared_ptr<const BatchTable> batch;  // none: no batch was opened
   std::optional<CutPlane> cut;              // by the section that is shown
   std::optional<Hover> hover;
@@ -215,5 +219,14 @@ struct AppState : Editable {
   bool shows_hints = false;   // to newcomers
   bool notes_beside = false;  // settings and bookmarks are saved beside the part
 };
+
+/// Whether the step is open, and is what is looked at: two revisions beside each other have no step.
+[[nodiscard]] inline bool is_at(const AppState& state, Step step) {
+  return state.model && state.step == step && !state.revisions.on();
+}
+/// Whether the parting line is looked at, with the handle of its height.
+[[nodiscard]] inline bool looks_at_line(const AppState& state) {
+  return is_at(state, Step::parting_line) || is_at(state, Step::mold);
+}
 
 }  // namespace moldlight::gui

@@ -65,7 +65,7 @@ void App::find_mold(bool moving) {
   const auto former = mold.line;
   const auto solids = mold.solids;
   const auto by_action = mold.by_action;
-  study_.find_mold(state_, mold, {.moving = moving, .solids = steel_wanted() || state_.mold_open});
+  study_.find_mold(state_, mold, {.moving = moving, .solids = steel_wanted() || is_at(state_, Step::mold)});
   if (mold.line == former && mold.solids == solids && mold.by_action == by_action) return;
   settle_frames_ = k_settle_frames;
   auto& loop = state_.mold_choices.loop;
@@ -77,11 +77,11 @@ bool App::steel_wanted() const {
   const LookSettings& look = state_.settings.look;
   if (!state_.model || state_.window.halves == HalvesLook::surface || split_view()) return false;
   return look.open_mold > 0.0 || opening_.at(now_s_) > 0.0 ||
-         (state_.mold_open && look.section != Section::off);
+         (is_at(state_, Step::mold) && look.section != Section::off);
 }
 
 bool App::line_shown() const {
-  return !split_view() && (state_.settings.look.parting_line || state_.mold_open || steel_wanted());
+  return !split_view() && (state_.settings.look.parting_line || looks_at_line(state_) || steel_wanted());
 }
 
 double App::arrows_apart(double open) const {

@@ -1,6 +1,7 @@
 #include "gui/commands.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <GLFW/glfw3.h>
 
@@ -14,6 +15,24 @@ void Edits::keep_bookmark() {
   const glm::dvec3& direction = settings.direction.given();
   bookmarks.push_back(
       {.note = direction_text(direction, 3), .direction = tidy(direction), .actions = settings.actions});
+}
+
+void Edits::enter(Step wanted) {
+  if (wanted == step) return;
+  LookSettings& look = settings.look;
+  if (wanted == Step::draft) {
+    look.colour_mode = ColourMode::draft_angle;
+  } else if (step == Step::draft) {
+    look.colour_mode = ColourMode::regions;
+  }
+  if (step == Step::mold) look.open_mold = 0.0;
+  if (step == Step::undercuts) action_choices.chosen.reset();
+  if (wanted != Step::direction) {
+    sweep_choices.compared.reset();
+    sweep_choices.large_ball = false;
+  }
+  if (wanted != Step::parting_line && wanted != Step::mold) mold_choices = {};
+  former_step = std::exchange(step, wanted);
 }
 
 namespace {
@@ -93,14 +112,23 @@ void compare_next(const Pressed& p) {
   auto& compared = p.edits.sweep_choices.compared;
   const std::size_t count = p.state.sweep.result ? p.state.sweep.result->candidates.size() : 0;
   const std::size_t next = compared ? *compared + 1 : 0;
+  p.edits.enter(Step::direction);
   compared = next < count ? std::optional(next) : std::nullopt;
+}
+
+/// Draft colours have a step of their own.
+void colour_by_draft(const Pressed& p) {
+  const bool on = p.look.colour_mode != ColourMode::draft_angle;
+  p.look.colour_mode = on ? ColourMode::draft_angle : ColourMode::regions;
+  if (on != (p.edits.step == Step::draft)) p.edits.enter_or_leave(Step::draft);
 }
 
 /// Views as on the number pad of other programs; with Ctrl from the other side.
 void look_from_side(const Pressed& p) {
-  const auto [view, opposite] = p.key.key == '1'   ? std::pair(StandardView::front, StandardView::back)
-                                : p.key.key == '3' ? std::pair(StandardView::right, StandardView::left)
-                                                   : std::pair(StandardView::top, StandardView::bottom);
+  const auto [view, opposite] =
+      p.key.key == GLFW_KEY_KP_1   ? std::pair(StandardView::front, StandardView::back)
+      : p.key.key == GLFW_KEY_KP_3 ? std::pair(StandardView::right, StandardView::left)
+                                   : std::pair(StandardView::top, StandardView::bottom);
   p.edits.ask(&Commands::look_from, standard_orientation(p.key.ctrl ? opposite : view));
 }
 
@@ -156,23 +184,39 @@ const std::vector<Shortcut>& shortcuts() {
       {{direction, "W", "sweep: find directions, or cancel"},
        part_no_ctrl,
        {'W'},
-       [](P p) { p.edits.ask(p.state.sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep); }},
+       [](P p) {
+         p.edits.enter(Step::direction);
+         p.edits.ask(p.state.sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep);
+       }},
       {{direction, "C", "compare with the best, the next …"}, part_no_ctrl, {'C'}, compare_next},
       {{direction, "M", "map of directions, large"},
        part_no_ctrl,
        {'M'},
-       [](P p) { p.edits.sweep_choices.large_ball = !p.edits.sweep_choices.large_ball; }},
+       [](P p) {
+         p.edits.enter(Step::direction);
+         p.edits.sweep_choices.large_ball = !p.edits.sweep_choices.large_ball;
+       }},
 
-      {{view, "1 / 3 / 7", "front, right, top; with Ctrl the opposite"},
+      {{view, "1 … 7", "the steps: part, direction … report"},
+       part_no_ctrl,
+       {'1', '2', '3', '4', '5', '6', '7'},
+       [](P p) { p.edits.enter(static_cast<Step>(p.key.key - '1')); }},
+      {{view, "Shift + 1 / 3 / 7", "front, right, top; with Ctrl the opposite"},
        part,
-       {'1', '3', '7'},
+       {GLFW_KEY_KP_1, GLFW_KEY_KP_3, GLFW_KEY_KP_7},
        look_from_side},
-      {{view, "0", "along the parting direction"}, part, {'0'}, asks(&Commands::look_along_direction)},
+      {{view, "0", "along the parting direction"},
+       part,
+       {'0', GLFW_KEY_KP_0},
+       asks(&Commands::look_along_direction)},
       {{view, "U", "the undercuts, from the best point of view"},
        part_no_ctrl,
        {'U'},
        asks(&Commands::look_at_undercuts)},
-      {{view, "5", "parallel or perspective"}, part, {'5'}, asks(&Commands::toggle_projection)},
+      {{view, "Shift + 5", "parallel or perspective"},
+       part,
+       {GLFW_KEY_KP_5},
+       asks(&Commands::toggle_projection)},
       {{view, "F", "fit the part"}, part, {'F'}, asks(&Commands::fit_view)},
       {{view, "O / Space", "open or close the mold, or stop it"},
        part_no_ctrl,
@@ -182,7 +226,10 @@ const std::vector<Shortcut>& shortcuts() {
          p.look.open_mold = p.look.open_mold < 1.0 ? 1.0 : 0.0;
          p.edits.ask(&Commands::fit_view);
        }},
-      {{view, "G", "the mold: parting line and halves"}, part_no_ctrl, {'G'}, asks(&Commands::unfold_mold)},
+      {{view, "G", "the mold, or back"},
+       part_no_ctrl,
+       {'G'},
+       [](P p) { p.edits.enter_or_leave(Step::mold); }},
       {{view, "S", "section across, along the direction, none"},
        part_no_ctrl,
        {'S'},
@@ -191,10 +238,7 @@ const std::vector<Shortcut>& shortcuts() {
        part_no_ctrl,
        {'R'},
        [](P p) { p.edits.measuring = p.edits.measuring ? std::nullopt : std::optional(Measuring{}); }},
-      {{view, "D", "colour by region or by draft angle"},
-       part_no_ctrl,
-       {'D'},
-       [](P p) { take_the_other(p.look.colour_mode); }},
+      {{view, "D", "colour by region or by draft angle"}, part_no_ctrl, {'D'}, colour_by_draft},
       {{view, "P", "palette"}, part_no_ctrl, {'P'}, [](P p) { take_the_other(p.look.palette); }},
       {{view, "T", "dark or light"}, always, {'T'}, [](P p) { take_the_other(p.edits.window.theme); }},
 
@@ -251,7 +295,8 @@ bool leaves(const KeyPress& press) { return press.key == GLFW_KEY_ESCAPE; }
 bool ends_program(const KeyPress& press) { return press.ctrl && press.key == 'Q'; }
 
 void apply_shortcut(KeyPress press, const AppState& state, Edits& edits) {
-  if (press.key >= GLFW_KEY_KP_0 && press.key <= GLFW_KEY_KP_9) press.key += '0' - GLFW_KEY_KP_0;
+  // Keyboards without a number pad have its keys with Shift.
+  if (press.shift && press.key >= '0' && press.key <= '9') press.key += GLFW_KEY_KP_0 - '0';
   for (const Shortcut& each : shortcuts()) {
     const bool meant = std::ranges::find(each.keys, press.key) != each.keys.end();
     if (meant && acts(each.when, press, state)) return each.act({press, state, edits});

@@ -43,6 +43,8 @@ struct Commands {
   void look_along_direction();
   /// Flies to where most of the undercuts is seen; without any to the largest mark that counts as none.
   void look_at_undercuts();
+  /// Flies to the largest mark that counts as no undercut, and says why it is none.
+  void look_at_speck();
   /// The same for one undercut of the plan of side actions.
   void look_at_undercut(std::size_t undercut);
   /// And for one loop of the parting line.
@@ -53,7 +55,6 @@ struct Commands {
   void move_face(FacetIndex facet);
   /// The same for the one under the cursor.
   void move_hovered_face();
-  void unfold_mold();
   void toggle_projection();
   /// The direction becomes the normal of the facet, or the axis of the round wall, under the cursor.
   void take_normal();
@@ -99,6 +100,10 @@ struct Edits : Editable {
 
   /// Puts the direction among the bookmarks, under a note that shows it.
   void keep_bookmark();
+  /// Opens the step's panel, with the view that suits it; leaves what belongs to the step before.
+  void enter(Step wanted);
+  /// The same, or back to the step before where this one is open.
+  void enter_or_leave(Step wanted) { enter(step == wanted ? former_step : wanted); }
 
   /// ask(&Commands::open_part, path).
   template <typename... Parameters, typename... Arguments>

@@ -63,9 +63,14 @@ void Commands::look_at_undercuts() {
   const glm::dvec3& direction = app.state_.settings.direction.unit();
   if (app.state_.figures.undercuts.value_or(UndercutTotals{}).count > 0)
     return look_from(revealing_orientation(model, std::span(&split, 1), direction));
+  look_at_speck();
+}
+
+void Commands::look_at_speck() {
+  const auto& split = app.state_.figures.split;
   const auto& plan = app.state_.actions.plan;
-  if (!plan || plan->specks.empty()) return;
-  // Nothing that counts: the largest of what is ignored, and why it is.
+  if (!split || !plan || plan->specks.empty()) return;
+  const PartModel& model = *app.state_.model;
   constexpr double k_reach = 0.1;  // unit frame
   const Speck& speck = plan->specks.front();
   const FigureStyle style(model);
@@ -73,7 +78,7 @@ void Commands::look_at_undercuts() {
                   speck_text(speck.reason)),
       false);
   app.fitted_points_ = points_around(model.frame.to_unit(speck.place), k_reach);
-  app.turn_camera(revealing_orientation(model, std::span(&split, 1), direction));
+  app.turn_camera(revealing_orientation(model, std::span(&split, 1), app.state_.settings.direction.unit()));
 }
 
 void Commands::look_at_undercut(std::size_t undercut) {
@@ -232,8 +237,6 @@ void Commands::move_face(FacetIndex facet) {
 void Commands::move_hovered_face() {
   if (app.state_.hover) move_face(app.state_.hover->point.facet);
 }
-
-void Commands::unfold_mold() { app.layout_.fold_bottom("Mold", app.state_.mold_open); }
 
 void Commands::export_mold(const MoldPaths& paths) {
   const MoldState& mold = app.state_.mold;

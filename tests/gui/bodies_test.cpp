@@ -33,6 +33,7 @@ class Bodies : public WindowWithPart {
   Bodies() {
     window.app().open(part.folder().write("cubes.stl", cubes(3)));
     window.wait_until_loaded();
+    enter(Step::part);
     window.settle();
   }
   void wait() {
@@ -86,7 +87,9 @@ TEST_F(Bodies, OfOneFileAreNotLookedForInAnother) {
 TEST_F(Bodies, KeepDirectionAndDraft) {
   slide("Near-vertical below", 0.5F);
   const double tau = method().tau_deg;
+  enter(Step::direction);
   click("+X");
+  enter(Step::part);
   click("next body");
   wait();
   EXPECT_EQ(method().tau_deg, tau);
@@ -94,6 +97,7 @@ TEST_F(Bodies, KeepDirectionAndDraft) {
 }
 
 TEST_F(WindowWithPart, AUnitIsNamedAndThenConvertsNothing) {
+  enter(Step::part);
   window.wait_until_measured();
   const double before = state().figures.shown->total_area;
   EXPECT_EQ(state().model->part.unit, "");
@@ -130,6 +134,7 @@ TEST_F(WindowWithPart, LengthsKeepTheirSizeInAnotherUnit) {
   window.wait_until_measured();
   ASSERT_EQ(state().model->part.unit, "in");
   const double diagonal = state().model->frame.diagonal;
+  enter(Step::part);
   click("Unit=mm");
   window.wait_until_loaded();
   window.wait_until_measured();

@@ -12,7 +12,7 @@ namespace {
 
 class Controls : public WindowWithPart {
  protected:
-  void enter(const std::string& field, const std::string& number) {
+  void type_into(const std::string& field, const std::string& number) {
     click(field);
     window.type(number);
     window.frame();
@@ -27,7 +27,7 @@ class Controls : public WindowWithPart {
                    [&](const RealKind<S>& kind) {
                      slide(label, settings.*kind.member > 0.5 * (kind.min + kind.max) ? 0.2F : 0.8F);
                    },
-                   [&](const PositiveKind<S>&) { enter(std::string(option.key), "0.25"); },
+                   [&](const PositiveKind<S>&) { type_into(std::string(option.key), "0.25"); },
                    [&](const IntegerKind<S>&) { slide(label, 0.7F); },
                    [&](const SwitchKind<S>&) { click(label); },
                    [&](const ChoiceKind<S>& kind) {
@@ -68,12 +68,14 @@ TEST_F(Controls, OfTheMethod) {
   const auto settings = [&] { return method(); };
   const std::span<const Option<MethodSettings>> options = method_options();
   std::size_t folded = 0;
+  enter(Step::part);
+  turn_maps_drawer();
   for (std::size_t k = 0; k < options.size(); ++k) {
     const bool fold = std::ranges::find(k_accuracy_options, options[k].key) != k_accuracy_options.end();
-    if (fold) click("disclosure");
+    if (fold) click("Accuracy");
     walk(options.subspan(k, 1), settings, true);
     if (!fold) continue;
-    move_to({640, 660});  // beside it: it closes
+    move_to({640, 60});  // beside it: it closes
     press();
     ++folded;
   }
@@ -84,8 +86,13 @@ TEST_F(Controls, OfTheLook) {
   window.resize({1280, 800});  // the panel is whole with a section's controls
   window.settle();
   click("Section=along");  // its place and its turn are shown with it
-  walk(
-      look_options(), [&] { return state().settings.look; }, true);
+  const auto shown = [&] { return state().settings.look; };
+  const auto opening = std::ranges::find(look_options(), "open_mold", &Option<LookSettings>::key);
+  const auto number = static_cast<std::size_t>(opening - look_options().begin());
+  walk(look_options().first(number), shown, true);
+  walk(look_options().subspan(number + 1), shown, true);
+  enter(Step::mold);
+  walk(look_options().subspan(number, 1), shown, true);
 }
 
 TEST_F(Controls, OfTheWindow) {
@@ -103,9 +110,9 @@ TEST_F(Controls, OfTheSweep) {
     if (!has_control(option)) continue;
     const S before = shown();
     if (const auto* integer = std::get_if<IntegerKind<S>>(&option.kind)) {
-      enter(std::string(option.key), std::to_string(integer->max));
+      type_into(std::string(option.key), std::to_string(integer->max));
     } else if (const auto* real = std::get_if<RealKind<S>>(&option.kind)) {
-      enter(std::string(option.key), real_text(real->max));
+      type_into(std::string(option.key), real_text(real->max));
     } else {
       use(option, before);
     }
@@ -125,6 +132,7 @@ TEST_F(Controls, OfTheSweep) {
 }
 
 TEST_F(Controls, RightClickResets) {
+  enter(Step::part);
   slide("Near-vertical below", 0.9F);
   EXPECT_GT(method().tau_deg, 5.0);
   move_to(window.control("Near-vertical below").centre());
@@ -138,6 +146,7 @@ TEST_F(Controls, RightClickResets) {
 }
 
 TEST_F(Controls, ValuesAreTypedAfterADoubleClick) {
+  enter(Step::part);
   move_to(window.control("Near-vertical below").centre());
   press();
   press();

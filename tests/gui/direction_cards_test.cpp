@@ -97,17 +97,15 @@ TEST_F(CardWindow, FoldsAndShowsAllDirections) {
   open_part();
   window.wait_until_swept();
   ASSERT_TRUE(has("card 1"));
-  click("fold");
-  window.frames(2);
-  EXPECT_FALSE(has("card 1"));
-  EXPECT_TRUE(writes("recommended ")) << "the bar says it";
-  click("fold");
-  window.frames(2);
-  ASSERT_TRUE(has("card 1"));
-  click("disclosure");
+  EXPECT_FALSE(has("direction 1"));
+  EXPECT_TRUE(writes("recommended")) << "the card says it";
+  click("All directions");
   window.frames(2);
   EXPECT_TRUE(has("direction 1"));
-  EXPECT_FALSE(has("card 1"));
+  click("close directions");
+  window.frames(2);
+  EXPECT_FALSE(has("direction 1"));
+  ASSERT_TRUE(has("card 1"));
 }
 
 TEST_F(CardWindow, StartAnewWhenSettingsOfSideActionsChange) {

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "gui/panels/workspace.hpp"
+#include "gui/panels/step_panels.hpp"
 #include "gui/window_with_part.hpp"
 
 namespace moldlight::gui::test {

@@ -121,9 +121,10 @@ TEST_F(Dragging, TheSplitMeshComesWhenTheHandRests) {
 }
 
 TEST_F(WindowWithPart, FiguresByAnotherReadoutComeWhenTheSettingsRest) {
-  click("disclosure");
+  turn_maps_drawer();
+  click("Accuracy");
   click("Readout=facet-id");
-  move_to({640, 660});  // beside the list of accuracy: it closes
+  move_to({640, 60});  // beside the list of accuracy: it closes
   press();
   window.wait_until_measured();
   EXPECT_EQ(state().figures.shown->settings.readout, Readout::facet_id);

@@ -101,14 +101,14 @@ TEST_F(Hovering, IsExplainedBesideTheCursor) {
 }
 
 TEST_F(Hovering, TheReadoutIsNeitherUnderTheCursorNorUnderAPanelNorOutside) {
-  key({.key = '7'});
+  key({.key = '7', .shift = true});
   move_to({640, 360});
   for (int step = 0; step < 3; ++step) {  // the part grows over the whole window
     window.turn_wheel(6.0F);
     window.frames(2);
   }
-  const ScreenBox left = window.control("panel Direction"), right = window.control("panel Regions"),
-                  below = window.control("panel Sweep");
+  const ScreenBox left = window.control("panel Direction"), right = window.control("panel Verdict"),
+                  below = window.control("panel Shadow maps");
   int seen = 0;
   for (float x = left.max.x + 4.0F; x < right.min.x; x += 110.0F) {
     for (float y = 50.0F; y < below.min.y; y += 110.0F) {
@@ -128,12 +128,13 @@ TEST_F(Hovering, TheReadoutIsNeitherUnderTheCursorNorUnderAPanelNorOutside) {
 TEST_F(Hovering, NothingBesideThePart) {
   move_to({640, 700});
   EXPECT_FALSE(state().hover);
+  turn_maps_drawer();
   move_to(window.control("Kernel").centre());
   EXPECT_FALSE(state().hover) << "a panel lies over the part";
 }
 
 TEST_F(Hovering, ADoubleClickTakesTheNormal) {
-  key({.key = '1'});
+  key({.key = '1', .shift = true});
   window.settle();
   find(Region::both);
   press();
@@ -174,6 +175,7 @@ TEST_F(Hovering, AnAltDoubleClickOnAFlatWallSaysThatThereIsNoAxis) {
 
 /// No nudge of the mouse is needed to see what a rest of the mouse calls up.
 TEST_F(WindowWithPart, ATooltipComesByItself) {
+  enter(Step::part);
   window.settle();
   window.move_mouse(window.control("Near-vertical below").centre());
   window.frames_asked_for();

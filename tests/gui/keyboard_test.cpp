@@ -33,26 +33,48 @@ class Keys : public WindowSceneries {
 
 TEST_F(Keys, TabReachesTheControlsOfAllPanelsAndComesRound) {
   std::set<std::string> seen;
-  std::string first;
-  for (int k = 0; k < 120; ++k) {
-    tab();
-    const std::string control = window.app().focused();
-    if (k == 0) first = control;
-    if (k > 0 && control == first) break;
-    seen.insert(control);
-    if (state().settings.direction.given() != glm::dvec3(0, 0, 1)) ADD_FAILURE() << control;
+  turn_maps_drawer();
+  for (const Step step : {Step::part, Step::direction, Step::mold}) {
+    enter(step);
+    key({.key = k_escape});
+    std::string first;
+    for (int k = 0; k < 120; ++k) {
+      tab();
+      const std::string control = window.app().focused();
+      if (k == 0) first = control;
+      if (k > 0 && control == first) break;
+      seen.insert(control);
+      if (state().settings.direction.given() != glm::dvec3(0, 0, 1)) ADD_FAILURE() << control;
+    }
+    EXPECT_EQ(window.app().focused(), first) << "round";
+    key({.key = k_tab, .shift = true});
+    EXPECT_NE(window.app().focused(), first);
   }
-  for (const char* control :
-       {"cup.obj##part", "open", "help", "settings", "+X", "−Z", "flip", "bookmark", "x", "elevation",
-        "Near-vertical below", "Kernel", "Map resolution", "Mark the difference", "Hatching", "Open the mold",
-        "Section", "Find directions"})
+  for (const char* control : {"cup.obj##part",
+                              "open",
+                              "help",
+                              "settings",
+                              "+X",
+                              "−Z",
+                              "flip",
+                              "bookmark",
+                              "x",
+                              "elevation",
+                              "Near-vertical below",
+                              "Kernel",
+                              "Map resolution",
+                              "Mark the difference",
+                              "Hatching",
+                              "Open the mold",
+                              "Section",
+                              "Find directions",
+                              "step Part",
+                              "step Report"})
     EXPECT_TRUE(seen.contains(control)) << control;
-  EXPECT_EQ(window.app().focused(), first) << "round";
-  key({.key = k_tab, .shift = true});
-  EXPECT_NE(window.app().focused(), first);
 }
 
 TEST_F(Keys, SpaceAndArrowsUseTheControlThatHasTheKeyboard) {
+  turn_maps_drawer();
   tab_to("Near-vertical below");
   const double before = method().tau_deg;
   key({.key = k_right});
@@ -105,6 +127,7 @@ TEST_F(Keys, TheRingStandsOut) {
 }
 
 TEST_F(Keys, PanelsHideByControlAndTab) {
+  turn_maps_drawer();
   key({.key = k_tab, .ctrl = true});
   EXPECT_FALSE(window.app().controls().contains("Kernel"));
   tab();
@@ -130,7 +153,8 @@ TEST_F(Keys, EscapeClosesTheInnermostFirst) {
   EXPECT_TRUE(state().sweep_choices.large_ball);
   key({.key = k_escape});
   EXPECT_FALSE(state().sweep_choices.large_ball);
-  for (const char* control : {"disclosure", "part name", "bookmark"}) {
+  turn_maps_drawer();
+  for (const char* control : {"Accuracy", "part name", "bookmark"}) {
     click(control);
     EXPECT_TRUE(any_popup()) << control;
     key({.key = k_escape});
@@ -149,6 +173,7 @@ TEST_F(Keys, EscapeClosesTheInnermostFirst) {
 }
 
 TEST_F(Keys, AClickBesideAPopupDoesWhatItDoesThere) {
+  turn_maps_drawer();
   click("part name");
   ASSERT_TRUE(any_popup());
   const bool hatching = state().settings.look.hatching;
@@ -156,15 +181,15 @@ TEST_F(Keys, AClickBesideAPopupDoesWhatItDoesThere) {
   EXPECT_FALSE(any_popup());
   EXPECT_NE(state().settings.look.hatching, hatching);
 
-  click("disclosure");
+  click("Accuracy");
   ASSERT_TRUE(any_popup());
   const glm::dquat before = state().camera.orientation;
   drag({640, 500}, {700, 520});
   EXPECT_FALSE(any_popup());
   EXPECT_NE(state().camera.orientation, before) << "the drag turns the view";
 
-  click("disclosure");
-  click("disclosure");
+  click("Accuracy");
+  click("Accuracy");
   EXPECT_FALSE(any_popup()) << "its own button closes it, too";
 }
 

@@ -66,8 +66,8 @@ class TextOrder {
   std::string where_;
 };
 
-constexpr std::array<glm::ivec2, 5> k_sizes = {
-    {{1024, 640}, {1280, 800}, {1920, 1080}, {2560, 1440}, {3840, 2160}}};
+constexpr std::array<glm::ivec2, 7> k_sizes = {
+    {{1024, 640}, {1100, 700}, {1280, 800}, {1440, 900}, {1920, 1080}, {2560, 1440}, {3840, 2160}}};
 constexpr std::array<float, 3> k_scales = {1.0F, 1.5F, 2.0F};
 
 class LayoutGrid : public WindowSceneries {};
@@ -82,6 +82,24 @@ TEST_F(LayoutGrid, NoTextIsCutOffOrCovered) {
       }
     }
   });
+  order.note();
+}
+
+TEST_F(LayoutGrid, StepsAreWholeInBothThemes) {
+  TextOrder order;
+  window.wait_until_measured();
+  for (int theme = 0; theme < 2; ++theme) {
+    for (int step = 0; step < 7; ++step) {
+      enter(static_cast<Step>(step));
+      window.wait_until_measured();
+      for (const glm::ivec2& size : {glm::ivec2(1100, 700), glm::ivec2(1440, 900)}) {
+        lay_out(size, 1.0F);
+        order.check(window.app().texts(),
+                    fmt::format("step {}, {}x{}, theme {}", step + 1, size.x, size.y, theme));
+      }
+    }
+    key({.key = 'T'});
+  }
   order.note();
 }
 

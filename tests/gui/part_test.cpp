@@ -52,6 +52,7 @@ TEST_F(WindowWithPart, ADroppedFileIsOpened) {
 
 TEST_F(WindowWithPart, AChangedFileIsReadAgain) {
   window.wait_until_measured();
+  enter(Step::part);
   slide("Near-vertical below", 0.5F);
   const double tau = method().tau_deg;
   const Camera camera = state().camera;
@@ -67,6 +68,8 @@ TEST_F(WindowWithPart, AChangedFileIsReadAgain) {
 }
 
 TEST_F(WindowWithPart, OpeningTheMoldMovesTheHalves) {
+  enter(Step::mold);
+  window.wait_until_measured();
   window.settle();
   const std::vector<std::uint8_t> closed = window.pixels();
   slide("Open the mold", 0.8F);

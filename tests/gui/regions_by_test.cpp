@@ -16,7 +16,8 @@ class RegionsAre : public WindowWithPart {
     std::size_t count = 0;
     for (std::size_t k = 0; k < now.size(); k += 4) {
       const std::size_t x = k / 4 % static_cast<std::size_t>(window.size().x);
-      if (x < 300 || x > 980) continue;  // panels
+      const std::size_t y = k / 4 / static_cast<std::size_t>(window.size().x);
+      if (x < 300 || x > 980 || y > 500) continue;  // panels, and the drawer
       int most = 0;
       for (std::size_t c = 0; c < 3; ++c)
         most = std::max(most, std::abs(int(now[k + c]) - int(before[k + c])));
@@ -28,6 +29,7 @@ class RegionsAre : public WindowWithPart {
 
 TEST_F(RegionsAre, ExactUntilAControlOfTheMapsIsTouched) {
   EXPECT_EQ(by(), RegionsBy::exact);
+  turn_maps_drawer();
   const std::vector<std::pair<std::string, float>> sliders = {
       {"Kernel", 0.9F}, {"Edge thickness", 0.9F}, {"Map resolution", 0.05F}};
   for (const auto& [control, share] : sliders) {
@@ -51,6 +53,9 @@ TEST_F(RegionsAre, SwitchedInTheLegend) {
 }
 
 TEST_F(RegionsAre, ThoseOfTheMapsAtOnce) {
+  turn_maps_drawer();
+  move_to({640, 60});
+  window.settle();
   const std::vector<std::uint8_t> exact = window.pixels();
   // Maps so coarse that they show; the picture changes while the slider is still held.
   const ScreenBox place = window.control("Map resolution");
@@ -68,6 +73,7 @@ TEST_F(RegionsAre, ThoseOfTheMapsAtOnce) {
 }
 
 TEST_F(RegionsAre, MarkedWhereTheyDiffer) {
+  turn_maps_drawer();
   slide("Map resolution", 0.0F);
   window.wait_until_measured();
   const std::vector<std::uint8_t> plain = window.pixels();
@@ -121,6 +127,7 @@ TEST_F(MapsAreCompared, ByTheSamplesOfTheSplitMeshWhileTheyTellTheRegions) {
 }
 
 TEST_F(MapsAreCompared, WhileASliderOfTheMapsIsHeld) {
+  turn_maps_drawer();
   slide("Map resolution", 0.05F);
   window.wait_until_measured();
   std::string before = text();

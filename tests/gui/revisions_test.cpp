@@ -202,7 +202,7 @@ TEST_F(Revisions, FollowTheDirectionAndTheSettings) {
 
 TEST_F(Revisions, LeftPutBackWhatWasThere) {
   drag({300, 300}, {360, 320});
-  key({.key = 'G'});
+  enter(Step::parting_line);
   settle();
   const auto camera = state().camera;
   const auto picture = window.pixels();

@@ -50,7 +50,7 @@ TEST(ScaleChange, PanelsMakeRoomForEachOtherAndComeBackToTheirPlaces) {
   window.wait_until_loaded();
   window.wait_until_measured();
   const auto first = panels(window);
-  ASSERT_GE(first.size(), 5U);
+  ASSERT_EQ(first.size(), 4U) << "step, verdict, look, maps";
   const glm::ivec2 sizes[] = {{800, 600}, {1280, 800}, {1024, 640}, {2560, 1440}};
   const float scales[] = {1.0F, 2.0F, 1.0F, 2.0F};
   for (std::size_t k = 0; k < std::size(sizes); ++k) {

@@ -39,7 +39,12 @@ class WindowSceneries : public WindowWithPart {
     };
     return {
         {"part", [] {}, [] {}},
-        {"accuracy", click_on("disclosure"), press(k_escape)},
+        {"shadow maps", click_on("fold maps"), [] {}},
+        {"accuracy", click_on("Accuracy"),
+         [this, click_on, press] {
+           press(k_escape)();
+           click_on("fold maps")();
+         }},
         {"recent files", click_on("part name"), press(k_escape)},
         {"bookmarks", click_on("bookmark"), press(k_escape)},
         {"section across", press('S'), [] {}},
@@ -51,36 +56,37 @@ class WindowSceneries : public WindowWithPart {
         {"export", press('E', true), press(k_escape)},
         {"picture", press(k_f12), press(k_escape)},
         {"files", press('O', true), press(k_escape)},
-        {"side actions", click_on("fold actions"), [] {}},
+        {"step of the part", press('1'), [] {}},
+        {"light theme", press('T'), press('T')},
+        {"step of the undercuts", press('3'), [] {}},
         {"a side action", click_on("undercut 1"), [] {}},
         {"its pin", click_on("pin 1"), press(k_escape)},
         {"options of side actions", click_on("action options"),
          [this, click_on, press] {
            click_on("action options")();
-           click_on("fold actions")();
            press(k_escape)();
            press('F')();
            window.settle();
          }},
-        {"mold", press('G'), [] {}},
+        {"step of the parting line", press('4'), [this] { window.wait_until_measured(); }},
         {"a loop", click_on("loop 1"), press(k_escape)},
+        {"step of the mold", press('6'), [this] { window.wait_until_measured(); }},
         {"options of the mold", click_on("mold options"), click_on("mold options")},
         {"export of the mold", click_on("export mold"), press(k_escape)},
         {"opened halves", press('O'),
          [this, press] {
            press('O')();
-           press('G')();
            press('F')();
            window.settle();
          }},
-        {"draft colours", press('D'), [] {}},
+        {"step of the draft", press('D'), [this] { window.wait_until_measured(); }},
         {"a wall without draft", click_on("wall 1"),
          [this, press] {
            press(k_escape)();
-           press('D')();
            press('F')();
            window.settle();
          }},
+        {"step of the report", press('7'), press('2')},
         {"batch",
          [this] {
            EXPECT_EQ(parts_.plan().exit_code, 0);

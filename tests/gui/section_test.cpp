@@ -91,7 +91,7 @@ TEST_F(Sections, TellTheGapBetweenWalls) {
   window.wait_until_loaded();
   window.settle();
   click("Section=across");
-  key({.key = '7'});
+  key({.key = '7', .shift = true});
   window.settle();
   const glm::dvec3 middle = state().model->frame.center;
   const Lines lines = said_at(middle + glm::dvec3(3.0, 2.0, 0.0));

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "gui/panels/panels.hpp"
-#include "gui/quick_options.hpp"
 #include "gui/view/mold_view.hpp"
 #include "gui/view/side_arrow.hpp"
+#include "gui/window_with_part.hpp"
 #include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shared_parts.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int k_escape = 256, k_delete = 261;
+constexpr int k_delete = 261;
 
 class SideActions : public ::testing::Test {
  protected:
@@ -43,7 +43,7 @@ class SideActions : public ::testing::Test {
     window.app().open(path);
     window.wait_until_loaded();
     window.wait_until_measured();
-    click("fold actions");
+    key({.key = '3'});
     window.settle();
   }
 
@@ -140,6 +140,7 @@ TEST_F(SideActions, MoveWhileTheyAreLookedAt) {
 
 TEST_F(SideActions, MoveInTheirOrderWhileTheMoldOpens) {
   open_lid();
+  key({.key = '6'});
   const glm::vec2 slider = window.control("Open the mold").centre();
   const auto open_to = [&](float share) {
     const ScreenBox box = window.control("Open the mold");
@@ -211,9 +212,11 @@ TEST_F(SideActions, KeepToAPinUntilItIsUndone) {
   window.wait_until_measured();
   EXPECT_TRUE(settings().pins.empty());
   EXPECT_EQ(sentence(), free);
+  key({.key = '2'});
   click("bookmark");
   click("go");
   key({.key = k_escape});
+  key({.key = '3'});
   window.wait_until_measured();
   ASSERT_EQ(settings().pins.size(), 1U) << "the bookmark restores it";
   EXPECT_TRUE(plan().undercuts[2].pin);
@@ -281,7 +284,7 @@ TEST_F(SideActions, TakeADirectionThatIsDraggedAndFree) {
   ASSERT_TRUE(side_arrow(state())->free);
   EXPECT_GT(side_arrow(state())->free->to_deg, 80.0);
   // From above it turns as the hand does.
-  key({.key = '7'});
+  key({.key = '7', .shift = true});
   window.frames(30);
   const glm::vec2 tip = window.control("side arrow").centre();
   drag(tip, tip + glm::vec2(-40.0F, -60.0F));

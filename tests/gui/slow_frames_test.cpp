@@ -64,7 +64,7 @@ class SlowFrames : public WindowWithPart {
   void begin() {
     window.app().set_notes(notes_);
     key({.key = GLFW_KEY_ESCAPE});
-    key({.key = '1'});
+    key({.key = '1', .shift = true});
     key({.key = 'F'});
     window.move_mouse({2, 2});
     window.frames(4);  // the pictures need not be refined
@@ -86,7 +86,9 @@ class SlowFrames : public WindowWithPart {
           hand.press(button, false);
           break;
         }
-        case 1: {  // a slider
+        case 1: {                  // a slider
+          hand.key({.key = '1'});  // to its step, and back
+          hand.wait(k_past_double_click_s);
           const ScreenBox box = window.control("Near-vertical below");
           hand.go(box.centre());
           hand.press(0, true);
@@ -94,6 +96,8 @@ class SlowFrames : public WindowWithPart {
               {glm::mix(box.min.x, box.max.x, static_cast<float>(random.between(0.1, 0.9))), box.centre().y});
           hand.press(0, false);
           hand.wait(k_past_double_click_s);  // two in a row are no double click, which asks for a number
+          hand.key({.key = '2'});
+          hand.wait(k_past_double_click_s);
           break;
         }
         case 2:

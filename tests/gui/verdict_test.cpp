@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gui/panels/panels.hpp"
-#include "gui/quick_options.hpp"
+#include "gui/window_with_part.hpp"
 #include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shapes.hpp"
@@ -21,6 +21,7 @@ class Verdicts : public ::testing::Test {
     options.user.window.motion = false;
     options.user.sweep.directions = directions;
     options.user.sweep.refine = 1;
+    options.user.layout = k_look_unfolded;
     return options;
   }
 
@@ -58,14 +59,14 @@ TEST_F(Verdicts, LeadToTheBestDirection) {
   window_.wait_until_measured();
   EXPECT_TRUE(verdict().good());
   EXPECT_EQ(verdict().sentence, "Two-plate mold: no undercut.");
-  click("fold");
+  click("All directions");
   EXPECT_TRUE(window_.app().controls().contains("direction 1"));
 }
 
 TEST_F(Verdicts, ShowTheUndercuts) {
   // The pocket lies in the side at x = 31.7: seen from the other side a click turns to it.
   open(moldlight::test::plate_with_side_pocket({}).mesh);
-  window_.press_key({.key = '3', .ctrl = true});
+  window_.press_key({.key = '3', .ctrl = true, .shift = true});
   window_.frame();
   window_.hold_modifiers(false, false, false);
   window_.frames(3);

@@ -14,6 +14,9 @@ namespace moldlight::gui::test {
 inline constexpr int k_escape = 256, k_enter = 257, k_tab = 258, k_right = 262, k_left = 263, k_up = 265,
                      k_f12 = 301;
 
+/// The shipped layout has it folded up.
+inline constexpr const char* k_look_unfolded = "[Window][Look]\nPos=996,360\nCollapsed=0\n";
+
 /// Settings are quick ones: small maps, few samples. Motion is off.
 class WindowWithPart : public ::testing::Test {
  protected:
@@ -30,6 +33,7 @@ class WindowWithPart : public ::testing::Test {
     OffscreenOptions options = quick_options();
     options.size = {1280, 720};
     options.user.window.motion = options.user.window.quick_sweep = false;
+    options.user.layout = k_look_unfolded;
     return options;
   }
 
@@ -74,6 +78,13 @@ class WindowWithPart : public ::testing::Test {
     window.frames(3);
   }
   void undo() { key({.key = 'Z', .ctrl = true}); }
+  /// By its key.
+  void enter(Step step) { key({.key = '1' + static_cast<int>(step)}); }
+  /// Opens the drawer of the shadow maps, or closes it.
+  void turn_maps_drawer() {
+    click("fold maps");
+    window.settle();
+  }
 
   moldlight::test::SmallPart part;
   OffscreenWindow window;

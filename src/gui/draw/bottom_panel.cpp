@@ -75,6 +75,13 @@ void draw_cell(const Ui& ui, const ScreenBox& row, const ListColumn& column, con
   }
 }
 
+void draw_second_line(const Ui& ui, const ScreenBox& row, float left, std::string_view text, float beside) {
+  const float x = row.min.x + ui.px(left);
+  draw_text(*ImGui::GetWindowDrawList(), {ui.fonts.small, ui.colours->muted},
+            {x, row.max.y - ui.px(6) - ui.fonts.small.size},
+            fitted(ui.fonts.small, text, row.max.x - ui.px(beside) - x));
+}
+
 void RowCursor::scroll(float row_height, float list_height) {
   if (row_ && std::exchange(moved_, false))
     ImGui::SetScrollY((static_cast<float>(*row_) + 0.5F) * row_height - 0.5F * list_height);

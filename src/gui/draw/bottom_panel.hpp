@@ -47,6 +47,11 @@ void draw_headings(const Ui& ui, std::span<const ListColumn> columns);
 void draw_cell(const Ui& ui, const ScreenBox& row, const ListColumn& column, const Lettering& lettering,
                std::string_view text, float room = 0.0F);
 
+/// Below the cells of a row that has two lines: what else there is to say, from `left` on, layout units, up
+/// to `beside` from the right end.
+void draw_second_line(const Ui& ui, const ScreenBox& row, float left, std::string_view text,
+                      float beside = 6.0F);
+
 /// The row of a list that the keyboard has marked.
 class RowCursor {
  public:

@@ -137,9 +137,10 @@ glm::vec2 PanelLayout::corner_of(const Ui& ui, const Panel& each) const {
   return glm::round(at);
 }
 
-bool PanelLayout::begin(const Ui& ui, const char* name) {
+bool PanelLayout::begin(const Ui& ui, const char* name, const char* title) {
   CHECK(open_ == nullptr);
   Panel& each = panel(name);
+  each.title = title != nullptr ? title : name;
   open_ = &each;
   const float width = ui.px(k_panel_width);
   const bool fresh = place_all_ || each.max == glm::vec2(0.0F);
@@ -184,10 +185,10 @@ bool PanelLayout::begin(const Ui& ui, const char* name) {
 void PanelLayout::draw_title(const Ui& ui, Panel& each) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = each.min.y + 0.5F * ui.px(k_title_height);
-  ui.memory->controls["panel " + each.place.name] = {each.min, each.max};
+  ui.memory->controls["panel " + each.title] = {each.min, each.max};
   list.PushClipRect(im(each.min), im(each.max));
   draw_text(list, {ui.fonts.strong, ui.colours->text},
-            {each.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size}, each.place.name);
+            {each.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size}, each.title);
   const glm::vec2 chevron(each.max.x - ui.px(18), middle), reach(ui.px(12));
   const bool hovered =
       ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(im(chevron - reach), im(chevron + reach), false);
@@ -205,7 +206,7 @@ void PanelLayout::end() {
   open_ = nullptr;
 }
 
-bool PanelLayout::begin_bottom(const Ui& ui, const char* name) {
+bool PanelLayout::begin_bottom(const Ui& ui, const char* name, float folded_width) {
   CHECK(open_ == nullptr);
   Panel& each = panel(name);
   each.drawn = false;
@@ -219,8 +220,9 @@ bool PanelLayout::begin_bottom(const Ui& ui, const char* name) {
   each.bottom = each.drawn = true;
   const float between = static_cast<float>(area.max.x - area.min.x) - 2.0F * gap;
   const bool below = between < ui.px(k_least_bottom);
-  const float room = below ? static_cast<float>(size_.x) - 2.0F * gap : between;
-  const float middle = below ? 0.5F * static_cast<float>(size_.x) : area.middle_x();
+  const bool narrow = each.place.collapsed && folded_width > 0.0F;
+  const float room = narrow ? folded_width : below ? static_cast<float>(size_.x) - 2.0F * gap : between;
+  const float middle = below && !narrow ? 0.5F * static_cast<float>(size_.x) : area.middle_x();
   const float width = std::min(room, ui.px(k_widest_bottom));
   place_window({std::round(middle), bottom}, {0.5F, 1.0F});
   ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F),

@@ -58,14 +58,16 @@ class PanelLayout {
 
   /// `size` in pixels. Panels are put back in place when it or the scale changed.
   void begin_frame(const glm::ivec2& size, float scale);
-  /// Begins the panel's window; false if there is nothing to draw in it. Call end() either way.
-  bool begin(const Ui& ui, const char* name);
+  /// Begins the panel's window; false if there is nothing to draw in it. Call end() either way. `title`:
+  /// where it is not the name, under which the place is kept.
+  bool begin(const Ui& ui, const char* name, const char* title = nullptr);
   void end();
   /// The same for a panel along the bottom, between those on the sides or, where that is little, below them;
   /// above those that have been drawn there;
   /// it is as high as what is in it, and
-  /// its first row is its title, which the panel draws. False if it is folded up to that row.
-  bool begin_bottom(const Ui& ui, const char* name);
+  /// its first row is its title, which the panel draws. False if it is folded up to that row; then it is no
+  /// wider than `folded_width`, pixels, where that is given.
+  bool begin_bottom(const Ui& ui, const char* name, float folded_width = 0.0F);
   /// Folds a panel along the bottom up, by its name, or down; then the others there are folded up: more than
   /// one would leave little of the part.
   void fold_bottom(std::string_view name, bool collapsed);
@@ -97,7 +99,8 @@ class PanelLayout {
     bool collapsed = false;
     bool squeezed = false;  // for want of room, which is not remembered
     bool bottom = false;
-    bool toggle = false;  // its chevron was clicked
+    bool toggle = false;     // its chevron was clicked
+    std::string title = {};  // that it has in this frame
   };
   void draw_title(const Ui& ui, Panel& each) const;
   /// Where it goes: its place, but in the window and below the panels that are above it in its column.

@@ -1,4 +1,4 @@
-// The undercuts along the bottom: what releases each, and what of that is allowed.
+// The undercuts: what releases each, and what of that is allowed.
 #include <algorithm>
 #include <array>
 
@@ -21,20 +21,14 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_action_row = 26.0F;     // layout units
-constexpr float k_actions_share = 0.25F;  // of the window's height, that the table takes at most
-constexpr float k_pin_width = 104.0F;
+constexpr float k_action_row = 60.0F;    // layout units
+constexpr float k_actions_share = 0.5F;  // of the window's height, that the table takes at most
+constexpr float k_pin_width = 88.0F;
 
-constexpr std::array<ListColumn, 6> k_action_columns = {{
+constexpr std::array<ListColumn, 3> k_action_columns = {{
     {"#", "", 8.0F, false},
-    {"area", "Undercut area, in the part's unit squared.", 92.0F, true},
-    {"depth",
-     "Distance across the parting direction to where the part no longer blocks it, in the part's unit.",
-     148.0F, true},
-    {"action", "What releases it.", 176.0F, false},
-    {"travel", "Travel of the action, in the part's unit. A slide's travel includes the clearance.", 338.0F,
-     true},
-    {"details", "", 358.0F, false},
+    {"area", "Undercut area, in the part's unit squared.", 88.0F, true},
+    {"action", "What releases it.", 110.0F, false},
 }};
 
 /// Directions about the parting direction are given by their azimuth.
@@ -104,7 +98,7 @@ void draw_pin(const PanelContext& context, std::size_t undercut) {
   ActionSettings& settings = context.edits.settings.actions;
   const ActionPin* const pin = pin_for(settings, found);
   const std::string id = fmt::format("pin {}", undercut + 1);
-  const Pressable cell = pressable(ui, id.c_str(), {ui.px(k_pin_width), ui.px(k_action_row - 2)});
+  const Pressable cell = pressable(ui, id.c_str(), {ui.px(k_pin_width), ui.px(22)});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (cell.hovered || pin != nullptr)
     fill(list, cell.box, field_colour(ui, {.hovered = cell.hovered}), ui.px(6));
@@ -201,45 +195,42 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
   const UndercutReport& found = plan.undercuts[undercut];
   const SideAction* const action = action_of(plan, undercut);
   const std::string unit = length_unit(state.model->part);
-  const glm::vec2& start = row.min;
   const bool left_over = is_unreleased(plan, undercut);
-  const ImU32 normal = faded(ui.colours->text, state.actions.awaited ? 0.75F : 1.0F),
-              quiet = ui.colours->muted;
-  const float right = row.max.x - ui.px(k_pin_width + 14);
-  const auto cell = [&](std::size_t column, const SizedFont& font, ImU32 colour, const std::string& text) {
-    const bool last = column + 1 == k_action_columns.size();
-    const float end = last ? right : start.x + ui.px(k_action_columns[column + 1].at) - ui.px(50);
-    draw_cell(ui, row, k_action_columns[column], {font, colour}, text,
-              end - start.x - ui.px(k_action_columns[column].at));
-  };
+  const ImU32 normal = faded(ui.colours->text, state.actions.awaited ? 0.75F : 1.0F);
+  const ScreenBox upper{row.min, {row.max.x, row.min.y + ui.px(24)}};
   const FigureStyle style(*state.model);
-  cell(0, ui.fonts.strong, normal, std::to_string(undercut + 1));
-  cell(1, ui.fonts.body, normal, grouped(style.text(FigureKind::area, found.undercut.area)));
-  cell(2, ui.fonts.body, normal,
-       found.depth > 0.0 ? grouped(style.text(FigureKind::length, found.depth)) : "–");
-  const std::string why = left_over ? unreleased_text(plan, undercut) : std::string();
+  draw_cell(ui, upper, k_action_columns[0], {ui.fonts.strong, normal}, std::to_string(undercut + 1));
+  draw_cell(ui, upper, k_action_columns[1], {ui.fonts.body, normal},
+            grouped(style.text(FigureKind::area, found.undercut.area)));
+  const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
+  const float at = row.min.x + ui.px(k_action_columns[2].at), room = row.max.x - ui.px(k_pin_width + 6) - at;
+  const std::string deep = found.depth > 0.0 ? "deep " + length(found.depth) : std::string();
+  std::vector<std::string> lines;  // below
   if (action != nullptr) {
-    cell(3, ui.fonts.body, normal, std::string(facts(action->kind).singular));
+    draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, normal}, facts(action->kind).singular, room);
     const Colour body = action_colour(static_cast<std::size_t>(action - plan.actions.data()));
-    ImGui::GetWindowDrawList()->AddCircleFilled(
-        ImVec2(start.x + ui.px(k_action_columns[3].at) - ui.px(10), row.centre().y), 4.0F * ui.scale,
-        packed(body));
-    cell(4, ui.fonts.body, normal, grouped(style.text(FigureKind::length, action->travel)));
-    std::string detail = detail_text(*action, unit) + shared_text(*action, undercut);
-    detail += others_text(plan, undercut, *action);
-    if (left_over) detail += " · some is left";
-    cell(5, ui.fonts.small, left_over ? ui.colours->warning : quiet, detail);
+    ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(at - ui.px(10), upper.centre().y), 4.0F * ui.scale,
+                                                packed(body));
+    lines = {
+        fmt::format("{}{}travel {}", deep, deep.empty() ? "" : " · ", length(action->travel)),
+        detail_text(*action, unit) + shared_text(*action, undercut) + others_text(plan, undercut, *action)};
+    if (left_over) lines.front() += " · some is left";
   } else {
-    draw_cell(ui, row, k_action_columns[3], {ui.fonts.body, ui.colours->warning}, why,
-              right - start.x - ui.px(k_action_columns[3].at));
+    draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, ui.colours->warning}, "nothing", room);
+    lines =
+        lines_within(ui.fonts.small, unreleased_text(plan, undercut), row.max.x - row.min.x - ui.px(30), 2);
   }
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    draw_second_line(
+        ui,
+        {row.min, row.min + glm::vec2(row.max.x - row.min.x, ui.px(42.0F + 15.0F * static_cast<float>(k)))},
+        24.0F, lines[k]);
   tooltip(ui, fmt::format("Undercut {}", undercut + 1), tip_text(state, undercut));
-  ImGui::SetCursorScreenPos(ImVec2(row.max.x - ui.px(k_pin_width + 2), start.y + ui.px(1)));
+  ImGui::SetCursorScreenPos(ImVec2(row.max.x - ui.px(k_pin_width + 2), row.min.y + ui.px(1)));
   draw_pin(context, undercut);
 }
 
 void draw_undercuts(const PanelContext& context, RowCursor& cursor) {
-  draw_headings(context.ui, k_action_columns);
   const ActionPlan& plan = *context.state.actions.plan;
   const ChoiceTable undercuts{.list = {.id = "undercuts",
                                        .count = plan.undercuts.size(),
@@ -249,7 +240,8 @@ void draw_undercuts(const PanelContext& context, RowCursor& cursor) {
                               .chosen = context.edits.action_choices.chosen,
                               .look = &Commands::look_at_undercut,
                               .beside = k_pin_width + 6,
-                              .tiny = tiny_text(speck_count(plan))};
+                              .tiny = tiny_text(speck_count(plan)),
+                              .look_at_tiny = &Commands::look_at_speck};
   draw_choices(context, undercuts, cursor,
                [&](std::size_t k, const ScreenBox& row) { draw_undercut(context, k, row); });
   draw_own_directions(context);
@@ -263,23 +255,19 @@ BarNews actions_news(const AppState& state) {
             .progress = actions.running ? actions.running->fraction : 0.0};
   }
   if (!actions.error.empty()) return {.text = actions.error, .warning = true};
-  return {.text = actions.plan ? actions_summary(state) : std::string()};
+  if (!actions.plan) return {.text = "Undercuts are listed when the direction rests."};
+  if (!actions.plan->undercuts.empty()) return {.text = actions_summary(state)};
+  return {.text = actions.plan->specks.empty()
+                      ? std::string("There is no undercut along this direction.")
+                      : "No undercut counts. " + tiny_text(speck_count(*actions.plan))};
 }
 
 }  // namespace
 
-void draw_actions_bar(const PanelContext& context, TableBar& bar) {
+void draw_actions_panel(const PanelContext& context, TableBar& bar) {
   const AppState& state = context.state;
   const auto& plan = state.actions.plan;
-  const auto& figures = state.figures.shown;
-  // Until undercuts are counted their area decides: a bar that came and went would move the part under the
-  // hand.
-  const bool shown = plan ? !plan->undercuts.empty()
-                          : figures && figures->areas[Region::undercut] > figures->uncertainty.total();
-  if (!shown || state.revisions.on()) return;
-  TableBarParts parts{.name = "Side actions",
-                      .fold = "fold actions",
-                      .options = "action options",
+  TableBarParts parts{.options = "action options",
                       .options_hint = "Settings of the side actions",
                       .news = actions_news(state),
                       .settings = [&] {
@@ -287,8 +275,9 @@ void draw_actions_bar(const PanelContext& context, TableBar& bar) {
                                                      context.edits.settings.actions, typed_numbers(context));
                         draw_own_directions(context);
                       }};
-  if (plan) parts.table = [&](RowCursor& cursor) { draw_undercuts(context, cursor); };
-  bar.draw(context, parts);
+  if (plan && !plan->undercuts.empty())
+    parts.table = [&](RowCursor& cursor) { draw_undercuts(context, cursor); };
+  bar.draw_inside(context, parts);
 }
 
 }  // namespace moldlight::gui

@@ -14,9 +14,9 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_card_height = 108.0F, k_widest_card = 380.0F, k_line_height = 15.0F;  // layout units
-constexpr float k_picture_width = 100.0F, k_picture_height = 62.0F;
-constexpr std::size_t k_most_lines = 5;
+constexpr float k_card_height = 98.0F, k_line_height = 15.0F;  // layout units
+constexpr float k_picture_width = 78.0F, k_picture_height = 52.0F;
+constexpr std::size_t k_most_lines = 4;
 
 /// What the card is, below its picture.
 std::string_view role(const SweepState& sweep, std::size_t place) {
@@ -76,15 +76,10 @@ void draw_card(const PanelContext& context, std::size_t place, float width, unsi
 }  // namespace
 
 void draw_direction_cards(const PanelContext& context, std::span<const unsigned> pictures) {
-  const Ui& ui = context.ui;
   const std::vector<DirectionCard>& cards = context.state.sweep.cards;
-  const float gap = ui.px(8),
-              share = (ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(cards.size());
-  const float width = std::floor(std::min(share - gap, ui.px(k_widest_card)));
-  for (std::size_t k = 0; k < cards.size(); ++k) {
-    if (k > 0) ImGui::SameLine(0.0F, gap);
+  const float width = ImGui::GetContentRegionAvail().x;
+  for (std::size_t k = 0; k < cards.size(); ++k)
     draw_card(context, k, width, cards[k].candidate < pictures.size() ? pictures[cards[k].candidate] : 0);
-  }
 }
 
 }  // namespace moldlight::gui

@@ -7,8 +7,8 @@
 
 namespace moldlight::gui {
 
-/// Side by side, as items of the window that is open; a click turns to one. `pictures`: a texture a candidate
-/// of the sweep's result; 0, or too few of them, where there is none yet.
+/// One below the other, as items of the window that is open; a click turns to one. `pictures`: a texture a
+/// candidate of the sweep's result; 0, or too few of them, where there is none yet.
 void draw_direction_cards(const PanelContext& context, std::span<const unsigned> pictures);
 
 }  // namespace moldlight::gui

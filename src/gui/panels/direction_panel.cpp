@@ -64,7 +64,9 @@ void draw_bookmarks(const PanelContext& context) {
   end_popup(ui);
 }
 
-void draw_fields(const PanelContext& context) {
+}  // namespace
+
+void draw_direction_fields(const PanelContext& context) {
   const Ui& ui = context.ui;
   Direction& present = context.edits.settings.direction;
   const float gap = ui.px(4), room = ImGui::GetContentRegionAvail().x;
@@ -85,6 +87,8 @@ void draw_fields(const PanelContext& context) {
   tooltip(ui, "Elevation", "Angle above the xy plane, in degrees.");
   if (turned) present = direction_of(angles);
 }
+
+namespace {
 
 /// Those that the marker does not cover.
 void draw_axis_names(const Ui& ui, const Ball& ball, const glm::vec2& marker) {
@@ -143,35 +147,32 @@ void nudge_ball(const PanelContext& context) {
 
 }  // namespace
 
-void draw_direction_panel(const PanelContext& context, BallDrag& drag) {
+void draw_direction_controls(const PanelContext& context, BallDrag& drag) {
   const Ui& ui = context.ui;
-  if (context.layout.begin(ui, "Direction")) {
-    draw_ball(context, drag, ui.px(k_ball_size));
-    const glm::vec2 ball_max = from_im(ImGui::GetItemRectMax());
-    ImGui::SameLine(0.0F, ui.px(12));
-    ImGui::BeginGroup();
-    draw_axis_buttons(context);
-    if (icon_button(ui, {"flip", Icon::flip, "Flip: core and cavity change sides (X)"})) {
-      context.edits.settings.direction = tidy(-context.edits.settings.direction.given());
-    }
-    ImGui::SameLine(0.0F, ui.px(4));
-    if (icon_button(ui, {"along", Icon::up, "Look along the parting direction (0)"})) {
-      context.edits.ask(&Commands::look_along_direction);
-    }
-    ImGui::SameLine(0.0F, ui.px(4));
-    if (icon_button(
-            ui, {"bookmark", Icon::bookmark, "Bookmarks of directions", !context.state.bookmarks.empty()})) {
-      open_popup_below_item(ui, "bookmarks");
-    }
-    draw_bookmarks(context);
-    ImGui::EndGroup();
-    if (context.state.sweep.map && context.state.sweep.map->worst > 0.0) {
-      const float left = ball_max.x + ui.px(12), right = left + ui.px(k_figure_bar_width);
-      draw_colour_bar(context, {left, ball_max.y - ui.px(22)}, right - left);
-    }
-    draw_fields(context);
+  draw_ball(context, drag, ui.px(k_ball_size));
+  const glm::vec2 ball_max = from_im(ImGui::GetItemRectMax());
+  ImGui::SameLine(0.0F, ui.px(12));
+  ImGui::BeginGroup();
+  draw_axis_buttons(context);
+  if (icon_button(ui, {"flip", Icon::flip, "Flip: core and cavity change sides (X)"})) {
+    context.edits.settings.direction = tidy(-context.edits.settings.direction.given());
   }
-  context.layout.end();
+  ImGui::SameLine(0.0F, ui.px(4));
+  if (icon_button(ui, {"along", Icon::up, "Look along the parting direction (0)"})) {
+    context.edits.ask(&Commands::look_along_direction);
+  }
+  ImGui::SameLine(0.0F, ui.px(4));
+  if (icon_button(
+          ui, {"bookmark", Icon::bookmark, "Bookmarks of directions", !context.state.bookmarks.empty()})) {
+    open_popup_below_item(ui, "bookmarks");
+  }
+  draw_bookmarks(context);
+  ImGui::EndGroup();
+  if (context.state.sweep.map && context.state.sweep.map->worst > 0.0) {
+    const float left = ball_max.x + ui.px(12), right = left + ui.px(k_figure_bar_width);
+    draw_colour_bar(context, {left, ball_max.y - ui.px(22)}, right - left);
+  }
+  draw_direction_fields(context);
 }
 
 void draw_ball(const PanelContext& context, BallDrag& drag, float size) {

@@ -6,7 +6,8 @@
 
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
-#include "gui/panels/workspace.hpp"
+#include "gui/panels/option_row.hpp"
+#include "gui/panels/step_panels.hpp"
 #include "parting/draft/draft_check.hpp"
 #include "render/view_settings.hpp"
 
@@ -15,25 +16,17 @@ namespace moldlight::gui {
 namespace {
 
 // Layout units.
-constexpr float k_draft_row = 24.0F, k_chart = 56.0F, k_axis = 18.0F, k_grip = 14.0F;
-constexpr float k_draft_share = 0.1F;  // of the window's height, that the table takes at most
+constexpr float k_draft_row = 40.0F, k_chart = 96.0F, k_axis = 18.0F, k_grip = 14.0F;
+constexpr float k_draft_share = 0.36F;  // of the window's height, that the table takes at most
 constexpr double k_step_deg = 0.1;
 
-constexpr std::array<ListColumn, 8> k_draft_columns = {{
+constexpr std::array<ListColumn, 4> k_draft_columns = {{
     {"#", "Walls that cost the most thickness come first.", 8.0F, false},
     {"formed by", "The half that forms the wall.", 36.0F, false},
-    {"face", "Number of the face, as in the tables of faces.", 156.0F, true},
-    {"area", "Area with too little draft, in the part's unit squared.", 232.0F, true},
-    {"draft", "Least draft of the wall. Negative: reverse draft.", 300.0F, true},
-    {"height", "Height of this surface along the direction, in the part's unit.", 376.0F, true},
-    {"turn", "Turn about the foot of the wall that gives it the required draft.", 444.0F, true},
-    {"takes", "Thickness that the turn costs at the other end, in the part's unit.", 520.0F, true},
+    {"draft", "Least draft of the wall. Negative: reverse draft.", 164.0F, true},
+    {"takes", "Thickness that the turn about the wall's foot costs at its other end, in the part's unit.",
+     236.0F, true},
 }};
-
-bool has_draft_panel(const AppState& state) {
-  return state.settings.look.colour_mode == ColourMode::draft_angle && !state.sweep_choices.compared &&
-         !state.sweep_choices.large_ball && !state.revisions.on();
-}
 
 void draw_bars(const PanelContext& context, const DraftChart& chart, const DraftCheck& check) {
   const Ui& ui = context.ui;
@@ -131,19 +124,20 @@ const WallDraft* wall_of_face(const AppState& state, std::uint32_t face, std::op
 }
 
 void DraftPanel::draw(const PanelContext& context) {
-  if (!has_draft_panel(context.state)) return;
   if (context.state.mold.line || context.state.model != model_) {
     line_ = context.state.mold.line;
     model_ = context.state.model;
   }
-  TableBarParts parts{.name = "Draft", .fold = "fold draft", .news = news(context.state)};
+  option_row(context.ui, required_draft_options().front(), context.edits.settings.required_draft);
+  if (context.state.settings.look.colour_mode == ColourMode::draft_angle) draw_draft_key(context);
+  TableBarParts parts{.news = news(context.state)};
   if (check() != nullptr) {
     parts.table = [&](RowCursor& cursor) {
       draw_chart(context, *check());
       if (!check()->walls.empty()) draw_walls(context, cursor);
     };
   }
-  bar_.draw(context, parts);
+  bar_.draw_inside(context, parts);
 }
 
 BarNews DraftPanel::news(const AppState& state) const {
@@ -175,21 +169,21 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
   const bool here = state.face && state.face->number == wall.face;
   const std::string id = fmt::format("wall {}", number + 1);
   const Row row = list_row(ui, {.id = id.c_str(), .height = k_draft_row, .chosen = here, .marked = marked});
-  const FigureColumn areas(state.model->geometry.total_area), lengths(10.0 * state.model->frame.diagonal);
-  const std::array<std::string, k_draft_columns.size()> texts = {std::to_string(number + 1),
-                                                                 std::string(side_name(wall.side)),
-                                                                 grouped(std::to_string(wall.face)),
-                                                                 grouped(areas.text(wall.area)),
-                                                                 draft_text(wall.least_deg),
-                                                                 grouped(lengths.text(wall.height)),
-                                                                 fmt::format("{:.2f}°", wall.turn_deg),
-                                                                 grouped(lengths.text(wall.thickness))};
+  const FigureColumn lengths(10.0 * state.model->frame.diagonal);
+  const std::array<std::string, k_draft_columns.size()> texts = {
+      std::to_string(number + 1), std::string(side_name(wall.side)), draft_text(wall.least_deg),
+      grouped(lengths.text(wall.thickness))};
   const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
+  const ScreenBox upper{row.box.min, {row.box.max.x, row.box.min.y + ui.px(22)}};
   for (std::size_t k = 0; k < texts.size(); ++k) {
-    const bool leans = k == 4 && wall.least_deg < -k_draft_rounding_deg;
-    draw_cell(ui, row.box, k_draft_columns[k],
+    const bool leans = k == 2 && wall.least_deg < -k_draft_rounding_deg;
+    draw_cell(ui, upper, k_draft_columns[k],
               {k == 0 ? ui.fonts.strong : ui.fonts.body, leans ? ui.colours->warning : normal}, texts[k]);
   }
+  const std::string unit = length_unit(state.model->part);
+  draw_second_line(ui, row.box, 24.0F,
+                   fmt::format("{:.4g} {} · {:.4g} {} high · turn {:.3g}°", wall.area,
+                               powered_unit(state.model->part, 2), wall.height, unit, wall.turn_deg));
   tooltip(ui, fmt::format("Face {} of the {}", wall.face, side_name(wall.side)),
           fmt::format("{}{}\nClick to look at it.", suggestion(*state.model, wall),
                       wall.foot_line ? "" : "\nThe foot of the wall is bent: another shape may need less."));
@@ -198,7 +192,7 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
 
 void draw_foot_line(const PanelContext& context) {
   const AppState& state = context.state;
-  if (!has_draft_panel(state)) return;
+  if (!is_at(state, Step::draft)) return;
   const WallDraft* wall = nullptr;
   if (state.hover) wall = wall_of_face(state, state.faces->of_facet[state.hover->point.facet]);
   if (wall == nullptr && state.face) wall = wall_of_face(state, state.face->number);

@@ -1,4 +1,5 @@
-// Settings of the picture: the mold's opening, section, colours, edges.
+// Settings of the picture: section, colours, edges; and of steps' pictures the mold's opening and the key of
+// the draft colours.
 #include <cmath>
 #include <utility>
 
@@ -25,7 +26,8 @@ void draw_chips(const Ui& ui, LookSettings& look) {
   }
 }
 
-/// The colours of the draft angles, each between two of the limits that stand below.
+}  // namespace
+
 void draw_draft_key(const PanelContext& context) {
   const Ui& ui = context.ui;
   const DraftScale scale =
@@ -51,7 +53,11 @@ void draw_draft_key(const PanelContext& context) {
   ImGui::Dummy(ImVec2(1.0F, height + ui.px(6) + ui.fonts.small.size));
 }
 
-}  // namespace
+void draw_opening(const PanelContext& context) {
+  option_row(context.ui, option_named(look_options(), "open_mold"), context.edits.settings.look,
+             {.text = [&](double open) { return opening_text(context.state, open); }});
+  if (ImGui::IsItemActive()) context.edits.dragging = true;
+}
 
 void draw_look_panel(const PanelContext& context) {
   const Ui& ui = context.ui;
@@ -60,18 +66,11 @@ void draw_look_panel(const PanelContext& context) {
     const PartLengths lengths(context.state);
     for (const Option<LookSettings>& option : look_options()) {
       const bool is_switch = std::holds_alternative<SwitchKind<LookSettings>>(option.kind);
-      if (is_switch || is_among(k_map_look_options, option)) continue;
+      // The mold's opening stands in its own step.
+      if (is_switch || is_among(k_map_look_options, option) || option.key == "open_mold") continue;
       if (option.key == "section_at" && look.section == Section::off) continue;
       if (option.key == "section_turn" && look.section != Section::along) continue;
-      RowOptions row{.lengths = &lengths};
-      if (option.key == "open_mold")
-        row.text = [&](double open) { return opening_text(context.state, open); };
-      option_row(ui, option, look, row);
-      if (option.key == "colouring" && look.colour_mode == ColourMode::draft_angle) {
-        option_row(ui, required_draft_options().front(), context.edits.settings.required_draft);
-        draw_draft_key(context);
-      }
-      if (option.key == "open_mold" && ImGui::IsItemActive()) context.edits.dragging = true;
+      option_row(ui, option, look, {.lengths = &lengths});
     }
     ImGui::Dummy(ImVec2(0.0F, ui.px(2)));
     draw_chips(ui, look);

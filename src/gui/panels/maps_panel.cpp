@@ -6,7 +6,7 @@
 
 #include "classify/method_options.hpp"
 #include "classify/number_format.hpp"
-#include "gui/draw/widgets.hpp"
+#include "gui/draw/bottom_panel.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
 
@@ -48,10 +48,10 @@ void draw_accuracy(const PanelContext& context, const PartLengths& lengths) {
   const Ui& ui = context.ui;
   MethodSettings& method = context.edits.settings.method;
   if (disclosure(ui, "Accuracy", false)) open_popup_below_item(ui, "accuracy");
+  name_item(ui, "Accuracy");
   if (!begin_popup(ui, "accuracy", ui.px(k_panel_width))) return;
-  const std::string standard = fmt::format("{:.3g}", lateral_tolerance(method, lengths.diagonal));
   for (const std::string_view key : k_accuracy_options)
-    option_row(ui, option_named(method_options(), key), method, {.lengths = &lengths, .unset = standard});
+    option_row(ui, option_named(method_options(), key), method, {.lengths = &lengths});
   end_popup(ui);
 }
 
@@ -75,20 +75,43 @@ void draw_map_comparison(const PanelContext& context) {
                       grouped(std::to_string(maps.samples)), error));
 }
 
-void draw_maps_panel(const PanelContext& context, const MapTextures& textures) {
+void draw_maps_drawer(const PanelContext& context, const MapTextures& textures) {
+  constexpr const char* k_name = "Shadow maps";
+  constexpr float k_button = 72.0F, k_column = 250.0F;  // layout units
   const Ui& ui = context.ui;
-  if (context.layout.begin(ui, "Shadow maps")) {
+  const float tab = text_size(ui.fonts.strong, k_name).x + ui.px(k_button);
+  const bool open = context.layout.begin_bottom(ui, k_name, tab);
+  BottomHeader header(ui, k_name);
+  if (header.button({"fold maps", open ? Icon::chevron_down : Icon::chevron_up,
+                     open ? "Close" : "Direction, tolerance, kernel and resolution of the shadow maps"}))
+    context.layout.fold_bottom(k_name, open);
+  header.end(open ? "Each control acts at once; the exact figures stay." : "", ui.colours->muted);
+  const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(k_column)));
+  if (open && ImGui::BeginTable("maps", columns,
+                                ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
     LookSettings& look = context.edits.settings.look;
     MethodSettings& method = context.edits.settings.method;
     const PartLengths lengths(context.state);
     bool touched = false;
-    for (const std::string_view key : k_map_options)
-      touched = option_row(ui, option_named(method_options(), key), method, {.lengths = &lengths}) || touched;
+    const auto row = [&](std::string_view key) {
+      ImGui::TableNextColumn();
+      return option_row(ui, option_named(method_options(), key), method, {.lengths = &lengths});
+    };
+    for (const std::string_view key : k_map_options) touched = row(key) || touched;
     // What a control of the maps does is to be seen.
     if (touched) look.regions_by = RegionsBy::maps;
+    // What the step's panel shows stands there alone.
+    if (context.state.step != Step::part) row("tau_deg");
+    ImGui::TableNextColumn();
     option_row(ui, option_named(look_options(), "mark_difference"), look);
+    if (context.state.step != Step::direction) {
+      ImGui::TableNextColumn();
+      draw_direction_fields(context);
+    }
+    ImGui::TableNextColumn();
     draw_thumbnails(context, textures);
     draw_accuracy(context, lengths);
+    ImGui::EndTable();
   }
   context.layout.end();
 }

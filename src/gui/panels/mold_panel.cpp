@@ -1,5 +1,6 @@
-// The mold along the bottom: what it says of the parting line and the halves, also to what else asks.
+// The parting line and the mold: what is said of the line and of the halves, also to what else asks.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -17,26 +18,14 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_mold_row = 24.0F, k_mold_line = 18.0F;  // layout units
-constexpr float k_mold_share = 0.1F;  // of the window's height, that the table takes at most
+constexpr float k_loop_row = 40.0F, k_mold_line = 16.0F;  // layout units
+constexpr float k_loops_share = 0.4F;  // of the window's height, that the table takes at most
 
-/// A number, the kind, and the figures that have a title.
-const std::vector<ListColumn>& mold_columns() {
-  static const std::vector<ListColumn> k_columns = [] {
-    constexpr float k_first = 168.0F, k_pitch = 70.0F;  // layout units
-    std::vector<ListColumn> columns = {
-        {"#", "", 8.0F, false},
-        {"loop", "Outer line, shut-off of a through hole, or rim of a side action.", 36.0F, false}};
-    float at = k_first;
-    for (const FigureRow<PartingLoop>& row : loop_figures()) {
-      if (row.title.empty()) continue;
-      columns.push_back({row.title, row.help, at, true});
-      at += k_pitch;
-    }
-    return columns;
-  }();
-  return k_columns;
-}
+constexpr std::array<ListColumn, 3> k_loop_columns = {{
+    {"#", "", 8.0F, false},
+    {"loop", "Outer line, shut-off of a through hole, or rim of a side action.", 36.0F, false},
+    {"length", "", 244.0F, true},
+}};
 
 /// "Core half 123 mm³ · Cavity half 120 mm³".
 std::string figures_line(const FigureStyle& style, const std::vector<FoundFigure>& figures,
@@ -97,10 +86,6 @@ void draw_height(const PanelContext& context, const RowOptions& numbers) {
 
 }  // namespace
 
-bool has_mold_bar(const AppState& state) {
-  return !state.sweep_choices.compared && !state.sweep_choices.large_ball && !state.revisions.on();
-}
-
 std::string halves_refusal(const AppState& state) {
   const MoldHalves& halves = state.mold.solids->halves;
   const auto& place = halves.refused_at ? halves.refused_at : halves.written.refused_at;
@@ -135,14 +120,11 @@ std::vector<HalvesLine> halves_lines(const AppState& state) {
 namespace {
 
 void draw_mold_settings(const PanelContext& context) {
-  const Ui& ui = context.ui;
-  const AppState& state = context.state;
-  const PartLengths lengths(state);
-  MoldSettings& settings = context.edits.settings.mold;
+  const PartLengths lengths(context.state);
   RowOptions numbers = typed_numbers(context);
   numbers.lengths = &lengths;
-  numbers.unset = fmt::format("{:.1f}", block_margin({}, state.model->frame.diagonal));
-  option_table<MoldSettings>(ui, mold_options(), settings, numbers, [&] { draw_height(context, numbers); });
+  numbers.unset = fmt::format("{:.1f}", block_margin({}, context.state.model->frame.diagonal));
+  option_table<MoldSettings>(context.ui, mold_options(), context.edits.settings.mold, numbers);
 }
 
 void draw_loop(const PanelContext& context, std::size_t number, const ScreenBox& row) {
@@ -151,12 +133,15 @@ void draw_loop(const PanelContext& context, std::size_t number, const ScreenBox&
   const PartingLoop& loop = state.mold.line->line.loops[number];
   const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
   const FigureStyle style(*state.model);
-  std::vector<std::string> texts = {std::to_string(number + 1), std::string(loop_name(loop.kind))};
-  for (const FoundFigure& figure : found_figures(loop_figures(), loop))
-    if (!figure.title.empty()) texts.push_back(grouped(style.text(figure)));
-  for (std::size_t k = 0; k < texts.size(); ++k)
-    draw_cell(ui, row, mold_columns()[k], {k == 0 ? ui.fonts.strong : ui.fonts.body, normal}, texts[k]);
   const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
+  const ScreenBox upper{row.min, {row.max.x, row.min.y + ui.px(22)}};
+  draw_cell(ui, upper, k_loop_columns[0], {ui.fonts.strong, normal}, std::to_string(number + 1));
+  draw_cell(ui, upper, k_loop_columns[1], {ui.fonts.body, normal}, loop_name(loop.kind));
+  draw_cell(ui, upper, k_loop_columns[2], {ui.fonts.body, normal}, length(loop.length));
+  draw_second_line(
+      ui, row, k_loop_columns[1].at,
+      with_minus(fmt::format("{} to {} · steepest {:.0f}°", grouped(style.text(FigureKind::length, loop.low)),
+                             length(loop.high), loop.steepest_deg)));
   tooltip(ui, fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
           with_minus(
               fmt::format("{} long, from {} to {} along the direction\nsteepest edge {:.0f}°, projected area "
@@ -168,16 +153,13 @@ void draw_loop(const PanelContext& context, std::size_t number, const ScreenBox&
 void draw_loops(const PanelContext& context, RowCursor& cursor) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
-  const float width = ImGui::GetContentRegionAvail().x;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_headings(ui, mold_columns());
   const std::vector<PartingLoop>& all = state.mold.line->line.loops;
   const double tolerance = lateral_tolerance(state.settings.method, state.model->frame.diagonal);
   std::vector<std::size_t> shown;
   for (std::size_t k = 0; k < all.size(); ++k)
     if (!all[k].tiny(tolerance)) shown.push_back(k);
   const ChoiceTable loops{
-      .list = {.id = "loops", .count = shown.size(), .row_height = k_mold_row, .share = k_mold_share},
+      .list = {.id = "loops", .count = shown.size(), .row_height = k_loop_row, .share = k_loops_share},
       .row = "loop",
       .chosen = context.edits.mold_choices.loop,
       .look = &Commands::look_at_loop,
@@ -186,66 +168,81 @@ void draw_loops(const PanelContext& context, RowCursor& cursor) {
   draw_choices(context, loops, cursor,
                [&](std::size_t k, const ScreenBox& row) { draw_loop(context, k, row); });
   ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
-  const float alpha = state.mold.solids_awaited ? 0.6F : 1.0F;
-  const std::vector<HalvesLine> lines = halves_lines(state);
-  const bool doubtful = std::ranges::any_of(lines, &HalvesLine::doubt);  // then nothing has a tick
-  for (const HalvesLine& line : lines) {
-    const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
-    ImGui::Dummy(ImVec2(width, ui.px(k_mold_line)));
-    tooltip(ui, {}, line.text);
-    if (line.doubt || !doubtful)
-      draw_icon(list, line.doubt ? Icon::alert : Icon::check,
-                at + glm::vec2(ui.px(12), 0.5F * ui.px(k_mold_line)), ui.px(11),
-                faded(line.doubt ? ui.colours->warning : ui.colours->muted, alpha));
-    draw_text(list, {ui.fonts.small, faded(line.doubt ? ui.colours->warning : ui.colours->text, alpha)},
-              {at.x + ui.px(24), at.y + 0.5F * (ui.px(k_mold_line) - ui.fonts.small.size)},
-              fitted(ui.fonts.small, line.text, width - ui.px(28)));
-  }
-  ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+  draw_height(context, typed_numbers(context));
   bool& moves = context.edits.mold_choices.moves_faces;
   if (chip(ui, "Move faces", moves)) moves = !moves;
   tooltip(ui, "Move faces",
           "Click a face that either half could form to move it to the other half. Ctrl + click or V does "
           "this at any time.");
   draw_cosmetic(context);
-  constexpr float k_choice = 264.0F;
-  ImGui::SameLine(std::max(width - ui.px(k_choice), 0.0F));
-  ImGui::BeginChild("look", ImVec2(ui.px(k_choice), ui.px(k_row_height)), false,
-                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar);
-  option_row(ui, option_named(window_options(), "halves"), context.edits.window);
-  ImGui::EndChild();
 }
 
-BarNews mold_news(const MoldState& mold) {
-  const std::string verdict = mold.line ? mold.line->verdict : std::string();
-  if (mold.running || mold.line_awaited || mold.solids_awaited) {
-    const bool named = mold.running && !mold.running->stage.empty();
-    const std::string stage = named ? mold.running->stage + " …" : "finding the parting line …";
-    return {.text = mold.line && !mold.line_awaited ? verdict + " · " + stage : stage,
-            .progress = mold.running ? mold.running->fraction : 0.0,
-            .tip = verdict};
+void draw_halves(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float alpha = state.mold.solids_awaited ? 0.6F : 1.0F;
+  const std::vector<HalvesLine> halves = halves_lines(state);
+  const bool doubtful = std::ranges::any_of(halves, &HalvesLine::doubt);  // then nothing has a tick
+  constexpr std::size_t k_most_lines = 4;
+  for (const HalvesLine& each : halves) {
+    const std::vector<std::string> lines =
+        lines_within(ui.fonts.small, each.text, width - ui.px(28), k_most_lines);
+    const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+    ImGui::Dummy(ImVec2(width, ui.px(k_mold_line) * static_cast<float>(lines.size())));
+    tooltip(ui, {}, each.text);
+    if (each.doubt || !doubtful)
+      draw_icon(list, each.doubt ? Icon::alert : Icon::check,
+                at + glm::vec2(ui.px(12), 0.5F * ui.px(k_mold_line)), ui.px(11),
+                faded(each.doubt ? ui.colours->warning : ui.colours->muted, alpha));
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      draw_text(list, {ui.fonts.small, faded(each.doubt ? ui.colours->warning : ui.colours->text, alpha)},
+                {at.x + ui.px(24), at.y + ui.px(k_mold_line) * static_cast<float>(k) +
+                                       0.5F * (ui.px(k_mold_line) - ui.fonts.small.size)},
+                lines[k]);
   }
-  if (!mold.error.empty()) return {.text = mold.error, .warning = true, .tip = verdict};
-  return {.text = verdict, .tip = verdict};
+}
+
+/// What is known of the line, or of the halves; while one of them is found, how far that is.
+BarNews mold_news(const MoldState& mold, bool awaited, const std::string& known) {
+  if (awaited) {
+    const bool named = mold.running && !mold.running->stage.empty();
+    return {.text = named ? mold.running->stage + " …" : "finding the parting line …",
+            .progress = mold.running ? mold.running->fraction : 0.0};
+  }
+  if (!mold.error.empty()) return {.text = mold.error, .warning = true};
+  return {.text = known};
 }
 
 }  // namespace
 
-void draw_mold_bar(const PanelContext& context, TableBar& bar) {
-  if (!has_mold_bar(context.state)) return;
-  TableBarParts parts{.name = "Mold",
-                      .fold = "fold mold",
-                      .options = "mold options",
+void draw_line_panel(const PanelContext& context, TableBar& bar) {
+  const MoldState& mold = context.state.mold;
+  TableBarParts parts{.news = mold_news(mold, mold.line_awaited, mold.line ? mold.line->verdict : "")};
+  if (mold.line) parts.table = [&](RowCursor& cursor) { draw_loops(context, cursor); };
+  bar.draw_inside(context, parts);
+}
+
+void draw_mold_panel(const PanelContext& context, TableBar& bar) {
+  const Ui& ui = context.ui;
+  const MoldState& mold = context.state.mold;
+  // Above what changes its height while a hand is at the slider.
+  draw_opening(context);
+  option_row(ui, option_named(window_options(), "halves"), context.edits.window);
+  TableBarParts parts{.options = "mold options",
                       .options_hint = "Settings of the mold",
-                      .unfold_hint = "Unfold (G)",
-                      .news = mold_news(context.state.mold),
+                      .news = mold_news(mold, mold.running || mold.line_awaited || mold.solids_awaited,
+                                        mold.line ? mold.line->verdict : ""),
                       .settings = [&] { draw_mold_settings(context); }};
-  parts.after = [&](BottomHeader& header, bool open) {
-    if (open && header.button({"export mold", Icon::export_file, "Export the halves and the parting line"}))
+  parts.table = [&](RowCursor&) {
+    draw_halves(context);
+    ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+    if (button(ui, "Export the mold…", {.width = ImGui::GetContentRegionAvail().x}))
       context.edits.dialogs.exporting_mold = true;
+    name_item(ui, "export mold");
   };
-  if (context.state.mold.line) parts.table = [&](RowCursor& cursor) { draw_loops(context, cursor); };
-  bar.draw(context, parts);
+  bar.draw_inside(context, parts);
 }
 
 }  // namespace moldlight::gui

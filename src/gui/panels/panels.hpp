@@ -38,16 +38,29 @@ struct BallDrag {
 inline constexpr std::array<std::string_view, 4> k_map_options = {"kernel", "kernel_shape", "edge_thickness",
                                                                   "resolution"};
 inline constexpr std::array<std::string_view, 2> k_map_look_options = {"regions", "mark_difference"};
-inline constexpr std::array<std::string_view, 4> k_accuracy_options = {"tolerance", "readout", "samples",
-                                                                       "backend"};
+inline constexpr std::array<std::string_view, 3> k_accuracy_options = {"readout", "samples", "backend"};
 
 void draw_top_bar(const PanelContext& context);
-void draw_direction_panel(const PanelContext& context, BallDrag& drag);
+/// The steps, as items of the window that is open, from the cursor on; and how wide that is, pixels.
+void draw_strip(const PanelContext& context);
+[[nodiscard]] float strip_width(const PanelContext& context);
+/// Ball, axes, fields: into the panel that is open.
+void draw_direction_controls(const PanelContext& context, BallDrag& drag);
+/// The numbers alone.
+void draw_direction_fields(const PanelContext& context);
 /// The ball with all that is on it, as an item of the window that is open; `size` in pixels.
 void draw_ball(const PanelContext& context, BallDrag& drag, float size);
-void draw_part_panel(const PanelContext& context);
+/// What the file has, and what is asked of its facets: into the panel that is open.
+void draw_part_controls(const PanelContext& context);
 void draw_look_panel(const PanelContext& context);
-void draw_maps_panel(const PanelContext& context, const MapTextures& textures);
+/// The colours of the draft angles with their limits.
+void draw_draft_key(const PanelContext& context);
+/// How far the mold is open.
+void draw_opening(const PanelContext& context);
+/// The shadow maps with the controls of their method, along the bottom.
+void draw_maps_drawer(const PanelContext& context, const MapTextures& textures);
+/// Pictures and files of what was found: into the panel that is open.
+void draw_report_controls(const PanelContext& context);
 /// How far the shadow maps are from exact regions, while the regions come from them; two lines of small text.
 void draw_map_comparison(const PanelContext& context);
 void draw_regions_panel(const PanelContext& context);
@@ -124,6 +137,10 @@ float draw_colour_bar(const PanelContext& context, const glm::vec2& at, float wi
 /// The ball on its own, large, beside the part.
 void draw_large_ball(const PanelContext& context, BallDrag& drag);
 
+/// The light of the verdict's card: green for a two-plate mold, amber for side actions or marks that are
+/// ignored, red where nothing releases an undercut, gray where that is not known.
+enum class VerdictLight : std::uint8_t { gray, green, amber, red };
+
 /// The study's verdict as the window shows it.
 struct VerdictCard {
   std::optional<Verdict> verdict;  // none while nothing is measured, or the direction moves
@@ -132,6 +149,8 @@ struct VerdictCard {
 
   /// Shown with a tick.
   [[nodiscard]] bool good() const { return verdict && verdict->good() && !red; }
+  /// Green no more than a tick while there is red in the picture.
+  [[nodiscard]] VerdictLight light() const;
 };
 [[nodiscard]] VerdictCard verdict_card(const AppState& state);
 
@@ -140,9 +159,6 @@ struct VerdictCard {
 
 /// At the top of the legend.
 void draw_verdict(const PanelContext& context);
-
-/// Not while directions are compared or chosen on the large ball, which leaves no room for it.
-[[nodiscard]] bool has_mold_bar(const AppState& state);
 
 /// Why there are no halves, where, and what to change; empty where there are. The solids must be there.
 [[nodiscard]] std::string halves_refusal(const AppState& state);

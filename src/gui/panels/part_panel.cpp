@@ -1,8 +1,11 @@
-// Settings of the part: its draft, its unit, and the body of the file that is molded.
+// The part: what the file has, its unit, the body that is molded, and the tolerances of its regions.
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "classify/method_options.hpp"
+#include "classify/number_format.hpp"
+#include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/panels.hpp"
 
@@ -80,14 +83,35 @@ void draw_body(const PanelContext& context) {
 
 }  // namespace
 
-void draw_part_panel(const PanelContext& context) {
+void draw_part_controls(const PanelContext& context) {
   const Ui& ui = context.ui;
-  if (context.layout.begin(ui, "Part")) {
-    option_row(ui, option_named(method_options(), "tau_deg"), context.edits.settings.method);
-    draw_unit(context);
-    draw_body(context);
+  const PartModel& model = *context.state.model;
+  glm::vec3 least(0.0F), most(0.0F);
+  for (const glm::vec3& point : context.state.extremes) {
+    least = glm::min(least, point);
+    most = glm::max(most, point);
   }
-  context.layout.end();
+  const glm::dvec3 size = model.frame.diagonal * glm::dvec3(most - least);
+  hint(ui, fmt::format("{} facets · {:.4g} × {:.4g} × {:.4g} {}",
+                       grouped(std::to_string(model.part.mesh.facets.size())), size.x, size.y, size.z,
+                       length_unit(model.part)));
+  for (const std::string& warning : model.warnings) {
+    const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+    draw_icon(*ImGui::GetWindowDrawList(), Icon::alert, at + glm::vec2(ui.px(6), ui.px(8)), ui.px(12),
+              ui.colours->warning);
+    ImGui::Indent(ui.px(18));
+    hint(ui, warning);
+    ImGui::Unindent(ui.px(18));
+  }
+  ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+  draw_unit(context);
+  draw_body(context);
+  MethodSettings& method = context.edits.settings.method;
+  const PartLengths lengths(context.state);
+  option_row(ui, option_named(method_options(), "tau_deg"), method);
+  option_row(
+      ui, option_named(method_options(), "tolerance"), method,
+      {.lengths = &lengths, .unset = fmt::format("{:.3g}", lateral_tolerance(method, lengths.diagonal))});
 }
 
 }  // namespace moldlight::gui

@@ -1,5 +1,5 @@
-// The legend: the verdict, the four regions with their measured areas, how sure they are, and whether two
-// ways agree.
+// The verdict's card: its light, sentence and button, and the legend with the four regions with their
+// measured areas, how sure they are, and whether two ways agree.
 #include <string_view>
 #include <vector>
 
@@ -118,6 +118,11 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   copy_menu(ui, "trust", real_text(visible), line.pressed);
 }
 
+void show_undercuts(const PanelContext& context) {
+  context.edits.enter(Step::undercuts);
+  context.edits.ask(&Commands::look_at_undercuts);
+}
+
 std::string tooltip_text(const VerdictCard& card) {
   std::string text = card.sentence;
   if (card.verdict)
@@ -134,7 +139,7 @@ std::string tooltip_text(const VerdictCard& card) {
 void draw_regions_panel(const PanelContext& context) {
   const Ui& ui = context.ui;
   const Figures& figures = context.state.figures;
-  if (context.layout.begin(ui, "Regions")) {
+  if (context.layout.begin(ui, "Verdict")) {
     if (figures.shown) {
       const Classification& result = *figures.shown;
       const Legend legend{.result = result,
@@ -186,6 +191,62 @@ VerdictCard verdict_card(const AppState& state) {
   return card;
 }
 
+VerdictLight VerdictCard::light() const {
+  if (!verdict) return VerdictLight::gray;
+  switch (verdict->state) {
+    case VerdictState::two_plate:
+      return red ? VerdictLight::amber : VerdictLight::green;
+    case VerdictState::side_actions:
+      return VerdictLight::amber;
+    case VerdictState::not_releasable:
+      return VerdictLight::red;
+    case VerdictState::undercuts:  // nobody has asked yet what releases them
+    case VerdictState::unknown:
+      break;
+  }
+  return VerdictLight::gray;
+}
+
+namespace {
+
+ImU32 light_colour(VerdictLight light) {
+  switch (light) {
+    case VerdictLight::green:
+      return IM_COL32(52, 178, 96, 255);
+    case VerdictLight::amber:
+      return IM_COL32(240, 168, 40, 255);
+    case VerdictLight::red:
+      return IM_COL32(226, 62, 54, 255);
+    case VerdictLight::gray:
+      break;
+  }
+  return IM_COL32(140, 146, 154, 255);
+}
+
+/// What to do next, in one button: the mesh, a better direction, the undercuts.
+void draw_next(const PanelContext& context, const VerdictCard& card) {
+  const Ui& ui = context.ui;
+  if (!card.verdict) return;
+  const auto wide = [&](const std::string& label, const char* name) {
+    const bool pressed = button(ui, label, {.width = ImGui::GetContentRegionAvail().x, .strong = false});
+    name_item(ui, name);
+    ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+    return pressed;
+  };
+  const SweepState& sweep = context.state.sweep;
+  const auto better = std::ranges::find_if(sweep.cards, &DirectionCard::offered);
+  if (card.verdict->state == VerdictState::unknown) {
+    if (wide("Repair: see the part", "verdict repair")) context.edits.enter(Step::part);
+  } else if (better != sweep.cards.end() && !sweep.stale) {
+    if (wide(fmt::format("Go to {}", with_minus(better->name)), "verdict go"))
+      context.edits.ask(&Commands::fly_to_direction, better->direction);
+  } else if (card.verdict->undercuts + card.verdict->specks > 0) {
+    if (wide("Show", "verdict show")) show_undercuts(context);
+  }
+}
+
+}  // namespace
+
 void draw_verdict(const PanelContext& context) {
   constexpr float k_line = 18.0F, k_low_window = 680.0F;
   const Ui& ui = context.ui;
@@ -203,19 +264,18 @@ void draw_verdict(const PanelContext& context) {
   if (sentence.hovered && !verdict.good())
     list.AddRectFilled(im(at), im(sentence.box.max), ui.colours->field, ui.px(6));
   tooltip(ui, "Verdict", tooltip_text(verdict));
-  if (sentence.clicked || sentence.pressed) context.edits.ask(&Commands::look_at_undercuts);
-  const bool ignored = !verdict.good() && verdict.verdict && verdict.verdict->good();
-  draw_icon(list, verdict.good() ? Icon::check : Icon::alert, at + glm::vec2(ui.px(12), ui.px(11)), ui.px(14),
-            faded(verdict.good() ? ui.colours->text
-                  : ignored      ? ui.colours->muted
-                                 : ui.colours->warning,
-                  alpha));
+  if (sentence.clicked) show_undercuts(context);
+  const glm::vec2 middle = at + glm::vec2(ui.px(12), ui.px(11));
+  list.AddCircleFilled(im(middle), ui.px(verdict.good() ? 8 : 6),
+                       faded(light_colour(verdict.light()), alpha));
+  if (verdict.good()) draw_icon(list, Icon::check, middle, ui.px(10), IM_COL32_WHITE);
   for (std::size_t k = 0; k < lines.size(); ++k)
     draw_text(list, {ui.fonts.strong, faded(ui.colours->text, alpha)},
               at + glm::vec2(ui.px(26), 0.5F * (ui.px(22) - ui.fonts.strong.size) +
                                             ui.px(k_line) * static_cast<float>(k)),
               lines[k]);
   ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
+  draw_next(context, verdict);
 }
 
 }  // namespace moldlight::gui

@@ -243,7 +243,7 @@ void draw_revisions_bar(const PanelContext& context, TableBar& bar) {
     if (header.button({"leave revisions", Icon::close, "Leave the comparison (Ctrl+D)"}))
       context.edits.ask(&Commands::leave_revisions);
   };
-  parts.after = [&](BottomHeader& header, bool) { draw_revision_buttons(context, header); };
+  parts.after = [&](BottomHeader& header) { draw_revision_buttons(context, header); };
   if (revisions.result) parts.table = [&](RowCursor& cursor) { draw_changes(context, cursor); };
   bar.draw(context, parts);
 }

@@ -40,7 +40,7 @@ struct HintPlace {
 constexpr HintPlace k_places[] = {
     {Hint::arrow, "core arrow", "Drag the arrow: regions and figures follow", {1.0F, 0.0F}},
     {Hint::verdict, "verdict", "The regions of the part along this direction", {-1.0F, 0.0F}},
-    {Hint::sweep, "Find directions", "Looking for the best parting direction", {-1.0F, 0.0F}},
+    {Hint::sweep, "panel Direction", "Looking for the best parting direction", {1.0F, 0.0F}},
 };
 
 }  // namespace

@@ -1,7 +1,9 @@
-// The sweep along the bottom: how far it is, and the best directions as a table to sort and click.
+// The search for directions: how far it is, what it recommends, and the best ones as a table to sort and
+// click.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +14,7 @@
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/direction_cards.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/panels/workspace.hpp"
+#include "gui/panels/step_panels.hpp"
 #include "mold/direction.hpp"
 #include "sweep/axis_beside.hpp"
 #include "sweep/sweep_texts.hpp"
@@ -25,7 +27,6 @@ constexpr float k_direction_row = 26.0F, k_heading = 20.0F;  // layout units
 constexpr float k_tip_width = 154.0F, k_tip_height = 96.0F;  // of a direction's tooltip
 /// Share of the window's height that the table takes.
 constexpr float k_sweep_share = 0.25F;
-constexpr float k_sweep_bar_width = 132.0F;
 /// Columns before those of figures: rank, direction. And the one after them, why.
 constexpr std::size_t k_before_figures = 2;
 constexpr float k_rank_width = 30.0F, k_direction_width = 128.0F, k_least_why = 80.0F;  // layout units
@@ -43,18 +44,12 @@ std::string progress_text(const SweepProgress& progress) {
   return text;
 }
 
-/// What is recommended stands first, where no card shows it.
-std::string result_text(const AppState& state, bool open) {
-  const SweepResult& result = *state.sweep.result;
-  std::string text;
-  if (!open && !state.sweep.cards.empty()) {
-    const DirectionCard& best = state.sweep.cards.front();
-    text = fmt::format("recommended {}: {}  ·  ", with_minus(best.name), best.verdict);
-  }
-  text += fmt::format("{} directions in {:.1f} s", grouped(std::to_string(result.evaluated.size())),
-                      result.elapsed_s);
-  if (!result.complete) text += "  ·  ended early";
-  if (state.sweep.stale) text += "  ·  of other settings";
+std::string result_text(const SweepState& sweep) {
+  std::string text =
+      fmt::format("{} directions in {:.1f} s", grouped(std::to_string(sweep.result->evaluated.size())),
+                  sweep.result->elapsed_s);
+  if (!sweep.result->complete) text += "  ·  ended early";
+  if (sweep.stale) text += "  ·  of other settings";
   return text;
 }
 
@@ -159,70 +154,61 @@ glm::ivec2 candidate_picture_size(float scale) {
 }
 
 void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pictures) {
-  const SweepState& sweep = context.state.sweep;
-  if (context.state.revisions.on()) return;
-  // What nobody asked for covers the part only where it is high, and where there is something to turn to.
-  constexpr float k_high_window = 700.0F;
-  const bool high = ImGui::GetIO().DisplaySize.y >= context.ui.px(k_high_window);
-  const bool unfolded = context.layout.begin_bottom(context.ui, "Sweep");
-  const bool table = asked_for_ == Shown::table || !sweep.by_itself;
-  const bool cards =
-      !table && !sweep.cards.empty() &&
-      (asked_for_ == Shown::cards || (high && std::ranges::any_of(sweep.cards, &DirectionCard::offered)));
-  const bool open = unfolded && (table || cards);
-  draw_header(context, open);
-  if (open && options_) {
-    draw_sweep_options(context);
-  } else if (open && cards) {
-    draw_direction_cards(context, pictures);
-    if (disclosure(context.ui, "All directions", false)) asked_for_ = Shown::table;
-  } else if (open && sweep.result && !sweep.result->candidates.empty()) {
-    draw_table(context, pictures);
-  }
-  context.layout.end();
-}
-
-void SweepPanel::fold(const PanelContext& context, bool folded) {
-  const bool cards = std::ranges::any_of(context.state.sweep.cards, &DirectionCard::offered);
-  asked_for_ = folded ? Shown::what_fits : cards && !options_ ? Shown::cards : Shown::table;
-  context.layout.fold_bottom("Sweep", folded);
-}
-
-void SweepPanel::draw_header(const PanelContext& context, bool open) {
   const Ui& ui = context.ui;
   const SweepState& sweep = context.state.sweep;
-  BottomHeader header(ui, "Sweep");
-  if (header.button({"fold", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
-    fold(context, open);
-  if (header.button({"options", Icon::settings, "Options of the sweep", open && options_})) {
-    options_ = !(open && options_);
-    fold(context, false);
+  ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+  const char* action = sweep.running ? "Cancel" : "Find directions";
+  const float gap = ui.px(4), icons = (sweep.map ? 2.0F : 1.0F) * (ui.px(k_row_height) + gap);
+  if (button(ui, action,
+             {.width = ImGui::GetContentRegionAvail().x - icons, .strong = !sweep.running && !sweep.map})) {
+    context.edits.ask(sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep);
+    if (below_ == Below::options) below_ = Below::nothing;
+  }
+  ImGui::SameLine(0.0F, gap);
+  if (icon_button(ui, {"options", Icon::settings, "Options of the search", below_ == Below::options})) {
+    below_ = below_ == Below::options ? Below::nothing : Below::options;
+    context.layout.fold_bottom("Directions", false);
   }
   if (sweep.map) {
-    SweepChoices& choices = context.edits.sweep_choices;
-    if (header.button({"ball", Icon::sphere, "Enlarge the map of directions", choices.large_ball}))
-      choices.large_ball = !choices.large_ball;
+    bool& large = context.edits.sweep_choices.large_ball;
+    ImGui::SameLine(0.0F, gap);
+    if (icon_button(ui, {"ball", Icon::sphere, "Enlarge the map of directions (M)", large})) large = !large;
   }
-  const char* action = sweep.running ? "Cancel" : "Find directions";
-  header.place(text_size(ui.fonts.body, action).x + ui.px(24));
-  if (button(ui, action, {.width = 0.0F, .strong = !sweep.running && !sweep.map})) {
-    context.edits.ask(sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep);
-    options_ = false;
+  if (sweep.running) progress_bar(ui, sweep.running->share, ImGui::GetContentRegionAvail().x);
+  const std::string text = sweep.running  ? progress_text(*sweep.running)
+                           : sweep.result ? result_text(sweep)
+                                          : sweep.error;
+  if (!text.empty()) hint(ui, text);
+  if (!sweep.cards.empty()) draw_direction_cards(context, pictures);
+  if (!sweep.result || sweep.result->candidates.empty()) return;
+  const bool table = below_ == Below::table;
+  if (disclosure(ui, "All directions", table)) {
+    below_ = table ? Below::nothing : Below::table;
+    context.layout.fold_bottom("Directions", false);
   }
-  if (sweep.running) header.progress(sweep.running->share, k_sweep_bar_width);
-  std::string text;
-  ImU32 colour = ui.colours->muted;
-  if (sweep.running) {
-    text = progress_text(*sweep.running);
-  } else if (sweep.result) {
-    text = result_text(context.state, open);
-  } else if (!sweep.error.empty()) {
-    text = sweep.error;
-    colour = ui.colours->warning;
+  name_item(ui, "All directions");
+}
+
+void SweepPanel::draw_below(const PanelContext& context, std::span<const unsigned> pictures) {
+  const Ui& ui = context.ui;
+  const SweepState& sweep = context.state.sweep;
+  // What was asked for is shown at once.
+  if (std::exchange(seen_, sweep.result) != sweep.result) {
+    below_ = sweep.result && !sweep.by_itself ? Below::table : Below::nothing;
+    if (below_ == Below::table) context.layout.fold_bottom("Directions", false);
+  }
+  if (below_ == Below::table && (!sweep.result || sweep.result->candidates.empty())) below_ = Below::nothing;
+  if (below_ == Below::nothing) return;
+  if (context.layout.begin_bottom(ui, "Directions")) {
+    BottomHeader header(ui, "Directions");
+    if (header.button({"close directions", Icon::close, "Close"})) below_ = Below::nothing;
+    header.end(below_ == Below::table ? result_text(sweep) : "Options of the search", ui.colours->muted);
+    if (below_ == Below::options) draw_sweep_options(context);
+    if (below_ == Below::table) draw_table(context, pictures);
   } else {
-    text = "which way should the mold open?";
+    below_ = Below::nothing;  // another one was unfolded
   }
-  header.end(text, colour);
+  context.layout.end();
 }
 
 std::vector<std::size_t> sorted_candidates(const SweepResult& result, const DirectionFigure* by,

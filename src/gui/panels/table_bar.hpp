@@ -1,5 +1,5 @@
-// Common parts of the bars of undercuts, mold, draft and revisions: a line that says what there is, and
-// below it, while the bar is unfolded, either its settings or a table to choose a row from.
+// Common parts of the panels of undercuts, parting line, mold and draft, and of the bar of revisions: what
+// there is in words, and below it either settings or a table to choose a row from.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace moldlight::gui {
 
 struct RowOptions;
 
-/// What a bar says in its line.
+/// What is said first.
 struct BarNews {
   std::string text;
   bool warning = false;
@@ -23,33 +23,38 @@ struct BarNews {
 };
 
 struct TableBarParts {
-  const char* name;                    // stands in the line, and the fold is kept under it
-  const char* fold;                    // the names of its buttons among the controls
-  const char* options = nullptr;       // without settings: nothing
+  const char* name = nullptr;  // of a bar along the bottom: stands in the line, and the fold is kept under it
+  const char* fold = nullptr;  // its button's name among the controls
+  const char* options = nullptr;       // that of the settings' button; without settings: nothing
   const char* options_hint = nullptr;  // what the settings are of
-  const char* unfold_hint = "Unfold";
   BarNews news;
-  std::function<void(BottomHeader&)> before = {};            // buttons right of these
-  std::function<void(BottomHeader&, bool open)> after = {};  // and left of them
+  std::function<void(BottomHeader&)> before = {};  // buttons right of these
+  std::function<void(BottomHeader&)> after = {};   // and left of them
   std::function<void()> settings = {};
   std::function<void(RowCursor&)> table = {};  // none while there is nothing to show
 };
 
 class TableBar {
  public:
+  /// Along the bottom.
   void draw(const PanelContext& context, const TableBarParts& parts);
+  /// Into the panel that is open, whose news may take some lines.
+  void draw_inside(const PanelContext& context, const TableBarParts& parts);
 
  private:
   void draw_line(const PanelContext& context, const TableBarParts& parts, bool open);
+  void draw_body(const TableBarParts& parts);
 
   RowCursor cursor_;
   bool settings_ = false;
 };
 
-/// The undercuts, a row each, with the side actions that release them. Nothing for a part without undercuts.
-void draw_actions_bar(const PanelContext& context, TableBar& bar);
-/// The mold's verdict, the loops of the parting line to choose from, the halves with their certificate.
-void draw_mold_bar(const PanelContext& context, TableBar& bar);
+/// The undercuts, a row each, with the side actions that release them.
+void draw_actions_panel(const PanelContext& context, TableBar& bar);
+/// What the parting line is like, with its loops to choose from.
+void draw_line_panel(const PanelContext& context, TableBar& bar);
+/// The mold's halves with their certificate, and how far they are open.
+void draw_mold_panel(const PanelContext& context, TableBar& bar);
 /// What differs between the part and another revision of it: a row a change. Nothing where nothing is
 /// compared.
 void draw_revisions_bar(const PanelContext& context, TableBar& bar);
@@ -60,10 +65,11 @@ struct ChoiceTable {
   const char* row;  // its rows are the controls "row 1", "row 2" …
   std::optional<std::size_t>& chosen;
   void (Commands::*look)(std::size_t);
-  std::optional<std::size_t> pointed = {};    // the row that the mouse means elsewhere
-  float beside = 0.0F;                        // of a row's right end, another control's; layout units
-  std::span<const std::size_t> numbers = {};  // of the rows; empty: each its own
-  std::string tiny = {};                      // the last row, which cannot be chosen
+  std::optional<std::size_t> pointed = {};     // the row that the mouse means elsewhere
+  float beside = 0.0F;                         // of a row's right end, another control's; layout units
+  std::span<const std::size_t> numbers = {};   // of the rows; empty: each its own
+  std::string tiny = {};                       // the last row, which cannot be chosen
+  void (Commands::*look_at_tiny)() = nullptr;  // what a click on it asks for
 };
 /// `draw_row` fills a row; the cursor may be anywhere afterwards.
 void draw_choices(const PanelContext& context, const ChoiceTable& table, RowCursor& cursor,

@@ -1,4 +1,6 @@
-// The thin bar on top: the part's name with recent files, and what is done with it.
+// The thin bar on top: the part's name with recent files, the steps, and what is done at any time.
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -14,6 +16,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* k_recent = "recent";
+constexpr float k_icon_step = 4.0F, k_group_gap = 8.0F;        // layout units
+constexpr float k_least_name = 72.0F, k_widest_name = 260.0F;  // of the part, layout units
 
 void draw_recent(const PanelContext& context) {
   const Ui& ui = context.ui;
@@ -34,12 +38,12 @@ void draw_recent(const PanelContext& context) {
   end_popup(ui);
 }
 
-void draw_part_name(const PanelContext& context) {
+/// In so many pixels.
+void draw_part_name(const PanelContext& context, float room) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
-  if (!state.model) return;
   const std::string file = fs::path(state.path).filename().string();
-  const std::string name = fitted(ui.fonts.body, file, ui.px(260));
+  const std::string name = fitted(ui.fonts.body, file, room - ui.px(36));
   const float width = text_size(ui.fonts.body, name).x + ui.px(36);
   if (button(ui, fmt::format("{}##part", name), {.width = width})) open_popup_below_item(ui, k_recent);
   name_item(ui, "part name");
@@ -47,26 +51,21 @@ void draw_part_name(const PanelContext& context) {
             {item_box().max.x - ui.px(11), item_box().centre().y}, ui.px(9), ui.colours->muted);
   tooltip(ui, file, state.path);
   draw_recent(context);
-  ImGui::SameLine(0.0F, ui.px(10));
-  const Part& part = state.model->part;
-  const std::string facts = fmt::format("{} facets   {}", grouped(std::to_string(part.mesh.facets.size())),
-                                        part.unit.empty() ? "" : part.unit);
-  row_text(ui, {ui.fonts.small, ui.colours->muted}, text_size(ui.fonts.small, facts).x, facts);
-  if (!state.model->warnings.empty()) {
-    ImGui::SameLine(0.0F, ui.px(6));
-    icon_button(ui, {"warnings", Icon::alert, fmt::format("{}", fmt::join(state.model->warnings, "\n"))});
-  }
+}
+
+/// Of the buttons at the right end, pixels.
+float right_width(const Ui& ui, bool part) {
+  const float buttons = static_cast<float>(part ? 7 : 3) * (ui.px(k_row_height) + ui.px(k_icon_step));
+  return buttons + ui.px(part ? 12.0F + k_group_gap : 12.0F);
 }
 
 void draw_right(const PanelContext& context) {
   const Ui& ui = context.ui;
   Edits& edits = context.edits;
   const bool part = context.state.model != nullptr;
-  const float step = ui.px(4);
-  const int count = part ? 9 : 3;
+  const float step = ui.px(k_icon_step);
   ImGui::SameLine(0.0F, 0.0F);
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(12) -
-                       static_cast<float>(count) * (ui.px(k_row_height) + step) - (part ? ui.px(16) : 0.0F));
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - right_width(ui, part));
   if (icon_button(ui, {"open", Icon::open, "Open a part (Ctrl+O)"})) {
     edits.dialogs.browser = true;
     edits.dialogs.browser_compares = false;
@@ -81,13 +80,9 @@ void draw_right(const PanelContext& context) {
     if (item("compare", Icon::revisions,
              compares ? "Leave the comparison (Ctrl+D)" : "Compare with another revision (Ctrl+D)", compares))
       edits.ask(&Commands::compare_or_leave);
-    if (item("export", Icon::export_file, "Export what was measured (Ctrl+E)"))
-      edits.dialogs.exporting = true;
-    if (item("picture", Icon::picture, "Save a picture with the legend (F12)"))
-      edits.ask(&Commands::take_picture);
     if (item("measure", Icon::ruler, "Measure between two places (R)", edits.measuring.has_value()))
       edits.measuring = edits.measuring ? std::nullopt : std::optional(Measuring{});
-    gap = step + ui.px(16);
+    gap = step + ui.px(k_group_gap);
     ImGui::BeginDisabled(!context.state.can_undo);
     if (item("undo", Icon::undo, "Undo (Ctrl+Z)")) edits.ask(&Commands::undo);
     ImGui::EndDisabled();
@@ -106,9 +101,6 @@ void draw_right(const PanelContext& context) {
 void draw_top_bar(const PanelContext& context) {
   const Ui& ui = context.ui;
   const ImGuiIO& io = ImGui::GetIO();
-  // The part may reach behind the bar where an undercut is seen from near.
-  const bool near = io.MousePos.y < 2.0F * ui.px(k_bar_height) || !context.state.model ||
-                    ui.memory->popups.any() || context.state.action_choices.chosen;
   ImGui::SetNextWindowPos(ImVec2(0, 0));
   ImGui::SetNextWindowSize(ImVec2(io.DisplaySize.x, ui.px(k_bar_height)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
@@ -116,15 +108,22 @@ void draw_top_bar(const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       ImVec2(ui.px(16), 0.5F * (ui.px(k_bar_height) - ui.px(k_row_height))));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, near ? ui.colours->panel : IM_COL32(0, 0, 0, 0));
   ImGui::Begin("Bar", nullptr,
                k_fixed_window | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
-  row_text(ui, {ui.fonts.strong, ui.colours->text}, text_size(ui.fonts.strong, "moldlight").x, "moldlight");
-  ImGui::SameLine(0.0F, ui.px(16));
-  draw_part_name(context);
+  if (context.state.model) {
+    const float strip = strip_width(context), gap = ui.px(16);
+    const float room = io.DisplaySize.x - right_width(ui, true) - strip - 3.0F * gap;
+    draw_part_name(context, std::clamp(room, ui.px(k_least_name), ui.px(k_widest_name)));
+    // In the middle of the window, where the part's name leaves that free.
+    const float least = item_box().max.x + gap;
+    ImGui::SameLine(0.0F, 0.0F);
+    ImGui::SetCursorPosX(std::max(least, std::round(0.5F * (io.DisplaySize.x - strip))));
+    draw_strip(context);
+  } else {
+    row_text(ui, {ui.fonts.strong, ui.colours->text}, text_size(ui.fonts.strong, "moldlight").x, "moldlight");
+  }
   draw_right(context);
   ImGui::End();
-  ImGui::PopStyleColor();
   ImGui::PopStyleVar(4);
 }
 

@@ -57,15 +57,11 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   if (!dialogs.panels_hidden) {
     draw_top_bar(context);
     if (context.state.model) {
-      draw_direction_panel(context, ball_);
-      draw_part_panel(context);
-      draw_maps_panel(context, textures.maps);
+      steps_.draw(context, textures.candidates);
       draw_regions_panel(context);
       draw_look_panel(context);
-      sweep_.draw(context, textures.candidates);
-      draw_actions_bar(context, actions_);
-      draw_mold_bar(context, mold_);
-      draft_.draw(context);
+      draw_maps_drawer(context, textures.maps);
+      steps_.draw_below(context, textures.candidates);
       draw_revisions_bar(context, revisions_);
       draw_large_ball(context, large_ball_);
       draw_comparison(context);

@@ -1,7 +1,6 @@
 // All panels of a frame, and what some of them remember.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -12,77 +11,9 @@
 #include <vector>
 
 #include "gui/jobs/batch_table.hpp"
-#include "gui/panels/panels.hpp"
-#include "gui/panels/table_bar.hpp"
-#include "sweep/direction_figures.hpp"
+#include "gui/panels/step_panels.hpp"
 
 namespace moldlight::gui {
-
-/// Size of the picture in a candidate's tooltip, pixels; `scale`: pixels per layout unit.
-[[nodiscard]] glm::ivec2 candidate_picture_size(float scale);
-
-/// The order of the table's rows: by a figure, or by rank.
-[[nodiscard]] std::vector<std::size_t> sorted_candidates(const SweepResult& result, const DirectionFigure* by,
-                                                         bool descending);
-
-/// The sweep along the bottom: its options, how far it is, and what it found: cards of what a sweep by itself
-/// recommends, or the best directions as a table to sort and click.
-class SweepPanel {
- public:
-  /// `pictures`: a texture a candidate of the result; 0, or too few of them, where there is none yet.
-  void draw(const PanelContext& context, std::span<const unsigned> pictures);
-
- private:
-  void draw_header(const PanelContext& context, bool open);
-  void fold(const PanelContext& context, bool folded);
-  void draw_table(const PanelContext& context, std::span<const unsigned> pictures);
-  using Figures = std::vector<const DirectionFigure*>;
-  void draw_row(const PanelContext& context, const Figures& figures, std::size_t place,
-                std::span<const unsigned> pictures);
-  void draw_footer(const PanelContext& context);
-
-  std::shared_ptr<const SweepResult> result_;  // of the rows; kept, so that no later one has its address
-  std::vector<std::size_t> rows_;              // candidates in the order of the table
-  RowCursor cursor_;                           // its row is a place among rows_
-  bool options_ = false;
-  enum class Shown : std::uint8_t { what_fits, cards, table } asked_for_ = Shown::what_fits;
-};
-
-/// The draft along the bottom, while the surface is coloured by it: how much surface has how much of it, and
-/// the walls that have too little, with what turning them would cost.
-class DraftPanel {
- public:
-  void draw(const PanelContext& context);
-
- private:
-  [[nodiscard]] BarNews news(const AppState& state) const;
-  void draw_walls(const PanelContext& context, RowCursor& cursor) const;
-  void draw_row(const PanelContext& context, std::size_t wall, bool marked) const;
-
-  [[nodiscard]] const DraftCheck* check() const { return line_ && line_->draft ? &*line_->draft : nullptr; }
-
-  // The last one of the part; kept, so that the chart stays while its limit is dragged.
-  std::shared_ptr<const MoldLine> line_;
-  std::shared_ptr<const PartModel> model_;
-  TableBar bar_;
-};
-
-/// The chart's, as it is drawn: from which to which draft, and the areas' ends in it.
-struct DraftChart {
-  static constexpr double k_from_deg = -5.0, k_to_deg = 10.0;
-  ScreenBox box;
-
-  /// Pixels from the window's left.
-  [[nodiscard]] float place_of(double draft_deg) const {
-    const double share = (draft_deg - k_from_deg) / (k_to_deg - k_from_deg);
-    return box.min.x + static_cast<float>(share) * (box.max.x - box.min.x);
-  }
-  /// The draft at a place, within the chart.
-  [[nodiscard]] double draft_at(float x) const {
-    const double share = std::clamp((x - box.min.x) / (box.max.x - box.min.x), 0.0F, 1.0F);
-    return k_from_deg + share * (k_to_deg - k_from_deg);
-  }
-};
 
 /// The texture of a part's picture; 0 where there is none yet.
 using BatchPicture = std::function<unsigned(const Digest&)>;
@@ -226,13 +157,15 @@ class Workspace {
     BatchPicture batch;
   };
   void draw(const PanelContext& context, const Textures& textures);
-  void give_up_drag() { ball_.active = large_ball_.active = false; }
+  void give_up_drag() {
+    steps_.give_up_drag();
+    large_ball_.active = false;
+  }
 
  private:
-  BallDrag ball_, large_ball_;
-  SweepPanel sweep_;
-  TableBar actions_, mold_, revisions_;
-  DraftPanel draft_;
+  StepPanels steps_;
+  BallDrag large_ball_;
+  TableBar revisions_;
   FileBrowser browser_;
   BatchPanel batch_;
   ExportDialog export_;

@@ -125,8 +125,7 @@ HeightRange height_range(const AppState& state) {
 }
 
 std::optional<HeightHandle> height_handle(const AppState& state, const FreeArea& free) {
-  if (!state.model || !state.mold_open || !state.mold.line || state.dialogs.panels_hidden)
-    return std::nullopt;
+  if (!looks_at_line(state) || !state.mold.line || state.dialogs.panels_hidden) return std::nullopt;
   const UnitFrame& unit = state.model->frame;
   const glm::dvec3& d = state.settings.direction.unit();
   const MoldFrame frame = mold_frame(d);
