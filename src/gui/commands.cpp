@@ -176,7 +176,7 @@ const std::vector<Shortcut>& shortcuts() {
        part_no_ctrl,
        {GLFW_KEY_DELETE},
        forget_side_direction},
-      {{direction, "V", "move the face under the cursor to the other half"},
+      {{direction, "V", "move the face at the cursor to the other half"},
        part_no_ctrl,
        {'V'},
        asks(&Commands::move_hovered_face)},

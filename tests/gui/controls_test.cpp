@@ -85,6 +85,7 @@ TEST_F(Controls, OfTheMethod) {
 TEST_F(Controls, OfTheLook) {
   window.resize({1280, 800});  // the panel is whole with a section's controls
   window.settle();
+  turn_maps_drawer();
   click("Section=along");  // its place and its turn are shown with it
   const auto shown = [&] { return state().settings.look; };
   const auto opening = std::ranges::find(look_options(), "open_mold", &Option<LookSettings>::key);

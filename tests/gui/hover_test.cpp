@@ -90,7 +90,8 @@ TEST_F(Hovering, IsExplainedBesideTheCursor) {
   const std::vector<std::string> lines = readout_lines(state());
   ASSERT_EQ(lines.size(), 3U);
   EXPECT_EQ(lines[0], "Undercut");
-  EXPECT_NE(lines[1].find("draft 0.0°"), std::string::npos) << lines[1];
+  const double draft_deg = draft_angle_deg(state().model->geometry.normals[found], direction());
+  EXPECT_NE(lines[1].find("draft " + draft_text(draft_deg)), std::string::npos) << lines[1];
   const Blocker& blocker = *state().hover->blocker;
   EXPECT_NE(lines[2].find(
                 fmt::format("blocked {:.4g} unit {}", blocker.distance, blocker.above ? "above" : "below")),

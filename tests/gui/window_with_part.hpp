@@ -82,6 +82,7 @@ class WindowWithPart : public ::testing::Test {
   void enter(Step step) { key({.key = '1' + static_cast<int>(step)}); }
   /// Opens the drawer of the shadow maps, or closes it.
   void turn_maps_drawer() {
+    window.settle();  // where it stands once the window has its size
     click("fold maps");
     window.settle();
   }

@@ -216,7 +216,7 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
         detail_text(*action, unit) + shared_text(*action, undercut) + others_text(plan, undercut, *action)};
     if (left_over) lines.front() += " · some is left";
   } else {
-    draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, ui.colours->warning}, "nothing", room);
+    draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, ui.colours->warning}, "none", room);
     lines =
         lines_within(ui.fonts.small, unreleased_text(plan, undercut), row.max.x - row.min.x - ui.px(30), 2);
   }

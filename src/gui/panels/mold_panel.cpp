@@ -24,7 +24,7 @@ constexpr float k_loops_share = 0.4F;  // of the window's height, that the table
 constexpr std::array<ListColumn, 3> k_loop_columns = {{
     {"#", "", 8.0F, false},
     {"loop", "Outer line, shut-off of a through hole, or rim of a side action.", 36.0F, false},
-    {"length", "", 244.0F, true},
+    {"length", "", 232.0F, true},  // beside a scroll bar
 }};
 
 /// "Core half 123 mm³ · Cavity half 120 mm³".
@@ -138,10 +138,12 @@ void draw_loop(const PanelContext& context, std::size_t number, const ScreenBox&
   draw_cell(ui, upper, k_loop_columns[0], {ui.fonts.strong, normal}, std::to_string(number + 1));
   draw_cell(ui, upper, k_loop_columns[1], {ui.fonts.body, normal}, loop_name(loop.kind));
   draw_cell(ui, upper, k_loop_columns[2], {ui.fonts.body, normal}, length(loop.length));
-  draw_second_line(
-      ui, row, k_loop_columns[1].at,
-      with_minus(fmt::format("{} to {} · steepest {:.0f}°", grouped(style.text(FigureKind::length, loop.low)),
-                             length(loop.high), loop.steepest_deg)));
+  const bool level = loop.climb() < lateral_tolerance(state.settings.method, state.model->frame.diagonal);
+  draw_second_line(ui, row, k_loop_columns[1].at,
+                   with_minus(level ? fmt::format("level at {}", length(loop.high))
+                                    : fmt::format("{} to {} · steepest {:.0f}°",
+                                                  grouped(style.text(FigureKind::length, loop.low)),
+                                                  length(loop.high), loop.steepest_deg)));
   tooltip(ui, fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
           with_minus(
               fmt::format("{} long, from {} to {} along the direction\nsteepest edge {:.0f}°, projected area "

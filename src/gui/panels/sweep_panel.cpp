@@ -172,7 +172,8 @@ void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pic
   if (sweep.map) {
     bool& large = context.edits.sweep_choices.large_ball;
     ImGui::SameLine(0.0F, gap);
-    if (icon_button(ui, {"ball", Icon::sphere, "Enlarge the map of directions (M)", large})) large = !large;
+    if (icon_button(ui, {"large ball", Icon::sphere, "Enlarge the map of directions (M)", large}))
+      large = !large;
   }
   if (sweep.running) progress_bar(ui, sweep.running->share, ImGui::GetContentRegionAvail().x);
   const std::string text = sweep.running  ? progress_text(*sweep.running)
