@@ -78,7 +78,7 @@ void put_in_place_order(Part& part, const Progress& progress) {
   mesh.vertices = std::move(vertices);
   for (auto& corners : mesh.facets) {
     for (VertexIndex& corner : corners) corner = ranks[corner];
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
   }
   std::vector<FacetIndex> order(mesh.facets.size());
   std::iota(order.begin(), order.end(), FacetIndex{0});

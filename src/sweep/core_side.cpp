@@ -33,7 +33,7 @@ struct Formed {
 };
 
 std::string area_text(const PartModel& model, double area) {
-  return fmt::format("{:.4g} {}", area, powered_unit(model.part, 2));
+  return rounded(area) + " " + powered_unit(model.part, 2);
 }
 
 }  // namespace

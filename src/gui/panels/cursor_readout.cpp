@@ -23,7 +23,7 @@ constexpr float k_from_cursor = 18.0F, k_readout_line = 18.0F, k_padding = 8.0F;
 constexpr float k_least_way_px = 48.0F;  // of a way that is long enough for its distance to stand beside it
 
 std::string length_text(const AppState& state, double length) {
-  return fmt::format("{:.4g} {}", length, length_unit(state.model->part));
+  return rounded(length) + " " + length_unit(state.model->part);
 }
 
 /// A length in the scene, at the way that has it.

@@ -181,9 +181,10 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
               {k == 0 ? ui.fonts.strong : ui.fonts.body, leans ? ui.colours->warning : normal}, texts[k]);
   }
   const std::string unit = length_unit(state.model->part);
-  draw_second_line(ui, row.box, 24.0F,
-                   fmt::format("{:.4g} {} · {:.4g} {} high · turn {:.3g}°", wall.area,
-                               powered_unit(state.model->part, 2), wall.height, unit, wall.turn_deg));
+  draw_second_line(
+      ui, row.box, 24.0F,
+      fmt::format("{} {} · {} {} high · turn {:.3g}°", rounded(wall.area), powered_unit(state.model->part, 2),
+                  rounded(wall.height), unit, wall.turn_deg));
   tooltip(ui, fmt::format("Face {} of the {}", wall.face, side_name(wall.side)),
           fmt::format("{}{}\nClick to look at it.", suggestion(*state.model, wall),
                       wall.foot_line ? "" : "\nThe foot of the wall is bent: another shape may need less."));

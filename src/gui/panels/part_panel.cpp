@@ -92,9 +92,8 @@ void draw_part_controls(const PanelContext& context) {
     most = glm::max(most, point);
   }
   const glm::dvec3 size = model.frame.diagonal * glm::dvec3(most - least);
-  hint(ui, fmt::format("{} facets · {:.4g} × {:.4g} × {:.4g} {}",
-                       grouped(std::to_string(model.part.mesh.facets.size())), size.x, size.y, size.z,
-                       length_unit(model.part)));
+  hint(ui, fmt::format("{} facets · {} × {} × {} {}", grouped(std::to_string(model.part.mesh.facets.size())),
+                       rounded(size.x), rounded(size.y), rounded(size.z), length_unit(model.part)));
   for (const std::string& warning : model.warnings) {
     const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
     draw_icon(*ImGui::GetWindowDrawList(), Icon::alert, at + glm::vec2(ui.px(6), ui.px(8)), ui.px(12),

@@ -170,7 +170,7 @@ std::string below_text(const DraftCheck& check) {
                                 : std::string("below the draft of its finish");
 }
 
-std::string short_area(double area, const std::string& unit) { return fmt::format("{:.4g} {}", area, unit); }
+std::string short_area(double area, const std::string& unit) { return rounded(area) + " " + unit; }
 
 Json wall_json(const WallDraft& wall) {
   Json line;

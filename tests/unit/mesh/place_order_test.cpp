@@ -63,7 +63,7 @@ TEST(PlaceOrder, KeepsTheSurfaceAndWhereItComesFrom) {
     };
     const auto now = corners(known.mesh, facet);
     auto before = corners(mesh, listed);
-    std::ranges::rotate(before, std::ranges::find(before, now[0]));
+    std::rotate(before.begin(), std::ranges::find(before, now[0]), before.end());
     EXPECT_EQ(now, before) << "facet " << listed << " winds as it did";
   }
   const std::vector<FacetIndex> listed = listed_facets(known);
