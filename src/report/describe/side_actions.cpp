@@ -60,6 +60,15 @@ Section plan_section(const ActionsReport& found) {
 /// What would have to be changed of the part instead.
 Section changes_section(const ActionsReport& found) {
   Section section{"Without side actions", {}};
+  Table table{{{"#"}, {"change of the part", true}}, {}};
+  for (std::size_t k = 0; k < found.changes.size(); ++k) {
+    const std::string change = change_text(found, k);
+    if (change != "-") table.rows.push_back({{{fmt::format("{}", k + 1)}, {with_minus(change)}}});
+  }
+  if (table.rows.empty()) {
+    section.blocks.emplace_back(Text{"No simple change of the part frees an undercut."});
+    return section;
+  }
   section.blocks.emplace_back(Text{"These changes of the part would make the side actions unnecessary."});
   for (const SavingChange& change : best_changes(found.plan, found.settings.prices)) {
     std::string saved;
@@ -69,9 +78,6 @@ Section changes_section(const ActionsReport& found) {
         Text{fmt::format("Changing undercut{} {} saves {}.", change.undercuts.size() == 1 ? "" : "s",
                          numbers_text(change.undercuts), saved)});
   }
-  Table table{{{"#"}, {"change of the part", true}}, {}};
-  for (std::size_t k = 0; k < found.changes.size(); ++k)
-    table.rows.push_back({{{fmt::format("{}", k + 1)}, {with_minus(change_text(found, k))}}});
   section.blocks.emplace_back(std::move(table));
   return section;
 }

@@ -15,9 +15,8 @@ std::vector<std::vector<int>> numbers(const std::vector<Piece>& pieces, double h
   for (const PlacedPage& page : paginated(pieces, height)) {
     found.emplace_back();
     for (const PlacedPiece& placed : page) {
-      const auto number = placed.piece - pieces.data();
-      const bool own = placed.piece >= pieces.data() && number < static_cast<int>(pieces.size());
-      found.back().push_back(own ? static_cast<int>(number) : -1);
+      const bool own = placed.piece >= pieces.data() && placed.piece < pieces.data() + pieces.size();
+      found.back().push_back(own ? static_cast<int>(placed.piece - pieces.data()) : -1);
     }
   }
   return found;
