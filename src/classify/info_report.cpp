@@ -119,8 +119,8 @@ DefectPlaces defect_places(const PartModel& model) {
     places.inconsistent = defect_chains(mesh, EdgeDefect::inconsistent);
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
     if (model.geometry.areas[facet] <= 0.0) places.degenerate_facets.push_back(file_facet(model.part, facet));
-    std::ranges::sort(places.degenerate_facets);
   }
+  std::ranges::sort(places.degenerate_facets);
   return places;
 }
 
