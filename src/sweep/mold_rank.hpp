@@ -52,9 +52,9 @@ inline constexpr double k_effort_of_draft = 2.0;
 inline constexpr double k_most_of_line = 2.0;
 /// Added where the part's shape does not name the direction: no wall is upright or level in such a mold.
 inline constexpr double k_effort_of_found = 4.0;
-/// The weight of side actions that counts, with what they form, the draft that is missing,
-/// the climb of the line, and more than any one action where something is left unreleased: few
-/// slides are no gain where the part lies on its side in the mold. Set the other figures before.
+/// The weight of side actions that counts, with what they form, the draft that is missing, the climb of the
+/// line, and more than any one action where something is left unreleased: few slides are no gain where the
+/// part lies on its side in the mold. Set the other figures before.
 [[nodiscard]] double mold_effort(const MoldCost& cost);
 
 /// What of it comes from lying on its side, for the share that side actions form.

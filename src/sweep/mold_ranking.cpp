@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t k_together = 4;     // between two looks at what is certain to be heavier
 constexpr double k_same_place_deg = 3.0;  // beside a canonical direction that costs no more nothing is listed
-constexpr std::size_t k_most_overtaken = 6;  // beside those listed, of which all is found
-constexpr double k_beside_deg = 10.0;        // where a canonical direction stands for one found by search
+constexpr double k_beside_deg = 10.0;     // where a canonical direction stands for one found by search
+constexpr std::size_t k_most_overtaken = 6;  // whose bodies are found beside those of the listed ones
 
 double angle_deg(const Contender& a, const Contender& b) {
   return line_angle_deg(a.candidate.direction, b.candidate.direction);
@@ -267,7 +267,7 @@ MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, st
         [this] { return clock_.stopped(); }, [] {}, PlanDetail::whole);
     if (!found.front()) return list;
     Contender& contender = *std::ranges::find_if(contenders, [&](const Contender& each) {
-      return each.candidate.direction == open->candidate.direction;
+      return is_open(each) && each.candidate.direction == open->candidate.direction;
     });
     contender.whole = true;
     contender.actions = found.front();
