@@ -228,7 +228,8 @@ std::string clear_text(const SideAction& action, const ActionPlan& plan, const s
 
 namespace {
 
-/// Undercuts were "patches" once; scripts that ask for these find them until the schema's number rises.
+/// Undercuts were "patches" once, and lifters without their room were actions; scripts that ask for these
+/// find them until the schema's number rises.
 void add_former_names(Json& json) {
   const auto add = [](Json& owner) { owner["patches"] = owner["undercuts"]; };
   add(json);
@@ -236,6 +237,10 @@ void add_former_names(Json& json) {
   for (const char* const list : {"actions", "changes"})
     for (Json& one : json[list]) add(one);
   for (Json& one : json["rejected"]) one["patch"] = one["undercut"];
+  for (Json& one : json["actions"]) {
+    one["has_room"] = true;
+    one["lack"] = nullptr;
+  }
 }
 
 }  // namespace

@@ -257,13 +257,6 @@ bool Release::clears(const UndercutSample& sample, const LifterWay& way, double 
   return lengths.of(sample) >= way.length + room;
 }
 
-double Release::cleared_area(std::span<const UndercutSample> samples, const LifterWay& way,
-                             double room) const {
-  double area = 0.0;
-  for (const UndercutSample& sample : samples) area += clears(sample, way, room) ? sample.area : 0.0;
-  return area;
-}
-
 double Release::clear_beyond(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                              const glm::dvec3& side, double step) const {
   const double outside = reach(pull) + query_.lateral;

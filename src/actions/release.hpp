@@ -102,9 +102,6 @@ class Release {
   [[nodiscard]] bool clears(const UndercutSample& sample, const LifterWay& way, double room = 0.0) const;
   [[nodiscard]] bool clears(const UndercutSample& sample, const LifterWay& way, double room,
                             FreeLengths& lengths) const;
-  /// Area of the samples that do.
-  [[nodiscard]] double cleared_area(std::span<const UndercutSample> samples, const LifterWay& way,
-                                    double room = 0.0) const;
   /// The least length beyond which all samples are clear, whatever lies beyond; looked for in steps of `step`
   /// and then halved to 1e-7.
   [[nodiscard]] double clear_beyond(std::span<const UndercutSample> samples, const glm::dvec3& pull,

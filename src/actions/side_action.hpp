@@ -114,7 +114,7 @@ struct ActionPlan {
   std::vector<Speck> specks;              // what counts as no undercut, the largest first
   std::vector<SideAction> actions;        // the largest area first
   /// Of each undercut that nothing else releases well the shortest lifter that fails, and what of each kind
-  /// was not taken since its body hits.
+  /// was not taken since its body hits or since it leaves the rest.
   std::vector<RejectedAction> rejected;
   std::vector<std::size_t> unreleased;        // undercuts that nothing releases, or not all of, rising
   std::vector<double> unreleased_areas;       // what of each of these is left
