@@ -71,8 +71,6 @@ void apply_style(Theme theme, float scale);
 /// Drawn as strokes, so that they are sharp at every scale and need no font.
 enum class Icon : std::uint8_t {
   open,
-  export_file,
-  picture,
   ruler,
   undo,
   redo,

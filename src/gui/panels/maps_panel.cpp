@@ -85,7 +85,8 @@ void draw_maps_drawer(const PanelContext& context, const MapTextures& textures) 
   if (header.button({"fold maps", open ? Icon::chevron_down : Icon::chevron_up,
                      open ? "Close" : "Direction, tolerance, kernel and resolution of the shadow maps"}))
     context.layout.fold_bottom(k_name, open);
-  header.end(open ? "Each control acts at once; the exact figures stay." : "", ui.colours->muted);
+  header.end(open ? "Kernel and resolution set the lateral tolerance, too, unless it is given." : "",
+             ui.colours->muted);
   const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(k_column)));
   if (open && ImGui::BeginTable("maps", columns,
                                 ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
