@@ -67,21 +67,21 @@ template <typename T>
   return array;
 }
 
-[[nodiscard]] inline Rows<double> rows_of(const std::vector<glm::dvec3>& points) {
-  return {.data = points.empty() ? nullptr : &points.front().x, .rows = points.size(), .columns = 3};
+[[nodiscard]] inline pybind11::array view(const std::vector<glm::dvec3>& points,
+                                          const pybind11::handle& owner) {
+  return view(
+      Rows<double>{.data = points.empty() ? nullptr : &points.front().x, .rows = points.size(), .columns = 3},
+      owner);
 }
 template <typename T>
-[[nodiscard]] Rows<T> rows_of(const std::vector<T>& numbers) {
-  return {.data = numbers.data(), .rows = numbers.size()};
+[[nodiscard]] pybind11::array view(const std::vector<T>& numbers, const pybind11::handle& owner) {
+  return view(Rows<T>{.data = numbers.data(), .rows = numbers.size()}, owner);
 }
 template <typename T, std::size_t N>
-[[nodiscard]] Rows<T> rows_of(const std::vector<std::array<T, N>>& rows) {
-  return {.data = rows.empty() ? nullptr : rows.front().data(), .rows = rows.size(), .columns = N};
-}
-
-template <typename T>
-[[nodiscard]] pybind11::array view(const std::vector<T>& values, const pybind11::handle& owner) {
-  return view(rows_of(values), owner);
+[[nodiscard]] pybind11::array view(const std::vector<std::array<T, N>>& rows, const pybind11::handle& owner) {
+  return view(
+      Rows<T>{.data = rows.empty() ? nullptr : rows.front().data(), .rows = rows.size(), .columns = N},
+      owner);
 }
 
 /// Values of the part's facets, in the order in which its file lists them: an array of its own that cannot be
