@@ -140,7 +140,7 @@ class Slots {
       case WorkEnd::done:
         store_.put(job.key, ResultState::done, outcome->result);
         ++counts_.done;
-        tell_off_axis(job, outcome->result);
+        warn_off_axis(job, outcome->result);
         make_besides(job, file, outcome->result);
         break;
       case WorkEnd::failed: {
@@ -161,7 +161,7 @@ class Slots {
     }
   }
 
-  void tell_off_axis(const Job& job, const Json& result) {
+  void warn_off_axis(const Job& job, const Json& result) {
     static const Json::json_pointer k_sentence("/report/best_direction/off_axis");
     if (!result.contains(k_sentence) || !result.at(k_sentence).is_string()) return;
     const std::lock_guard lock(mutex_);

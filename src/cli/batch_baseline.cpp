@@ -21,7 +21,7 @@ namespace {
 
 /// Of the surface: what two versions or machines may round otherwise.
 constexpr double k_same_share = 1e-8;
-constexpr std::size_t k_most_told = 20;
+constexpr std::size_t k_most_listed = 20;
 
 /// A figure of a part as criteria name it.
 struct BatchFigure {
@@ -171,7 +171,7 @@ void BatchBaseline::apply_alone(const batch::PartResult& result) {
 
 void BatchBaseline::note(const std::string& path, std::string_view what, const std::string& was,
                          const std::string& is) {
-  if (++noted_ > k_most_told) return;
+  if (++noted_ > k_most_listed) return;
   changes_ += fmt::format("  {}: {} was {}, is {}\n", one_line(path), what, one_line(was), one_line(is));
 }
 
@@ -185,7 +185,7 @@ void BatchBaseline::apply(std::string_view path, std::span<const ComparedFigure>
     const GateCase tried =
         gate_cases(path.empty() ? "all parts" : path, {&gate_.criteria[k], 1}, figures).front();
     if (!gate_.junit.empty()) cases_.push_back(tried);
-    if (tried.failure.empty() || ++failure_count_ > k_most_told) continue;
+    if (tried.failure.empty() || ++failure_count_ > k_most_listed) continue;
     failures_.push_back(path.empty() ? tried.failure : one_line(path) + ": " + tried.failure);
   }
 }
@@ -211,7 +211,7 @@ std::string BatchBaseline::table() const {
   std::string text = fmt::format("against {}: {} new, {} gone, {} changed, {} as before\n", one_line(file_),
                                  plural(fresh_, "part"), gone_, changed_, same_);
   text += changes_;
-  if (noted_ > k_most_told) text += fmt::format("  … {} changes in all\n", noted_);
+  if (noted_ > k_most_listed) text += fmt::format("  … {} changes in all\n", noted_);
   return text;
 }
 

@@ -61,7 +61,7 @@ std::vector<glm::dvec3> directions() {
 /// Areas by maps of a direction that the page has left at rest, or else moves to, and what the page says.
 constexpr const char* k_areas = R"js(((direction, rest) => {
   const live = globalThis.view.director;
-  live.told = 0;
+  live.shownAt = 0;
   live.go(unit(direction), rest);
   view.draw();
   clearTimeout(live.resting);

@@ -67,8 +67,9 @@ void LivePage::areas_of_any_direction_are_within_the_stated_error() {
       "found.resting = []; found.moving = []; found.texts = [];"
       "const keep = (list) => { view.draw(); list.push(live.areas); found.texts.push(text('standing')); };";
   for (const std::string& direction : directions)
-    script += "live.told = 0; live.go(unit([" + direction + "]), false); keep(found.moving); live.go(unit([" +
-              direction + "]), true); keep(found.resting);";
+    script += "live.shownAt = 0; live.go(unit([" + direction +
+              "]), false); keep(found.moving); live.go(unit([" + direction +
+              "]), true); keep(found.resting);";
   const Json found = this->found(script);
   for (std::size_t k = 0; k < directions.size(); ++k) {
     const Json exact = exact_areas(directions[k]);

@@ -22,7 +22,7 @@ constexpr double k_no_wake = std::numeric_limits<double>::infinity();
 constexpr double k_between_frames_s = 0.05;
 /// Directions put on the map in one frame, so that the window stays quick.
 constexpr std::size_t k_most_a_frame = 300;
-constexpr double k_least_told_s = 0.5, k_least_told_share = 0.04;
+constexpr double k_least_known_s = 0.5, k_least_known_share = 0.04;
 constexpr int k_niceness = 5;
 
 /// The window's own thread goes first. On Linux this is a matter of the calling thread and those it starts.
@@ -115,7 +115,7 @@ void WindowSweep::update(const AppState& state, SweepState& sweep, double now_s)
   const JobStatus status = job_.status();
   auto outcome = job_.take();  // before its last directions, so that none is left behind
   if (runs) {
-    tell_progress(status, sweep, now_s);
+    note_progress(status, sweep, now_s);
     sweep.running->ending = ending;
     if (outcome) {
       sweep.running.reset();
@@ -145,14 +145,14 @@ bool WindowSweep::take_scored(SweepState& sweep) {
   return more;
 }
 
-void WindowSweep::tell_progress(const JobStatus& status, SweepState& sweep, double now_s) {
+void WindowSweep::note_progress(const JobStatus& status, SweepState& sweep, double now_s) {
   SweepProgress& progress = *sweep.running;
   progress.stage = status.stage;
   progress.share =
       std::max(progress.share, sweep_share_done(status.stage, status.fraction, seeks_actions(settings_)));
   const double elapsed_s = now_s - started_s_;
   progress.left_s.reset();
-  if (elapsed_s > k_least_told_s && progress.share > k_least_told_share) {
+  if (elapsed_s > k_least_known_s && progress.share > k_least_known_share) {
     progress.left_s = elapsed_s * (1.0 - progress.share) / progress.share;
   }
 }

@@ -35,7 +35,7 @@ class WindowSweep {
   void drop();
   /// Puts some of what was scored on the map; true where there is more.
   bool take_scored(SweepState& sweep);
-  void tell_progress(const JobStatus& status, SweepState& sweep, double now_s);
+  void note_progress(const JobStatus& status, SweepState& sweep, double now_s);
 
   /// Directions scored and not yet seen by the window, in the order in which their scores came.
   struct Scored {

@@ -146,18 +146,17 @@ void BatchPanel::draw_row(const PanelContext& context, std::size_t index, const 
     const BatchColumn column = columns_[k];
     const float right = right_of(ui, k, std::min(width, inner));
     // Why a part failed stands where its figures would be.
-    const bool tells_reason = k == 2 && row.state == batch::ResultState::failed;
-    std::string text = tells_reason ? row.reason : batch_cell(row, column);
-    const float room = tells_reason ? std::min(width, inner) - left : right - left - ui.px(8);
+    const bool is_reason = k == 2 && row.state == batch::ResultState::failed;
+    std::string text = is_reason ? row.reason : batch_cell(row, column);
+    const float room = is_reason ? std::min(width, inner) - left : right - left - ui.px(8);
     text = fitted(ui.fonts.body, text, room);
     const ImU32 colour = row.state == batch::ResultState::done ? ui.colours->text
-                         : tells_reason                        ? ui.colours->warning
+                         : is_reason                           ? ui.colours->warning
                                                                : ui.colours->muted;
-    const float inset =
-        is_left(column) || tells_reason ? 0.0F : right - left - text_size(ui.fonts.body, text).x;
+    const float inset = is_left(column) || is_reason ? 0.0F : right - left - text_size(ui.fonts.body, text).x;
     draw_text(list, {ui.fonts.body, colour},
               {min.x + left + inset, 0.5F * (min.y + max.y - ui.fonts.body.size)}, text);
-    if (tells_reason) break;
+    if (is_reason) break;
     left = right;
   }
   tooltip(ui, row.path, row.settings + (row.reason.empty() ? "" : "\n" + row.reason));

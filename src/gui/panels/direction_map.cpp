@@ -21,7 +21,7 @@ namespace {
 
 constexpr float k_large_ball = 360.0F;  // layout units
 /// A direction within so many degrees of the mouse is shown itself; farther ones by what lies around them.
-constexpr double k_told_deg = 1.5;
+constexpr double k_read_deg = 1.5;
 
 ImU32 map_colour(const SweepMap* map, const glm::dvec3& direction, float lit, const BareBall& bare) {
   const ImU32 base = mixed(bare.dark, bare.light, lit);
@@ -157,13 +157,13 @@ void draw_sweep_marks(const Ui& ui, const Ball& ball, const SweepState& sweep) {
   }
 }
 
-void tell_direction(const PanelContext& context, const glm::dvec3& direction) {
+void describe_direction(const PanelContext& context, const glm::dvec3& direction) {
   const AppState& state = context.state;
   const Ui& ui = context.ui;
   const SweepMap& map = *state.sweep.map;
   const double total = state.model->geometry.total_area;
   std::string title, text, source;
-  if (const EvaluatedDirection* found = map.nearest(direction, k_told_deg)) {
+  if (const EvaluatedDirection* found = map.nearest(direction, k_read_deg)) {
     title =
         direction_words(glm::dot(found->direction, direction) < 0.0 ? -found->direction : found->direction);
     text =

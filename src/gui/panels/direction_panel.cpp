@@ -225,7 +225,7 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
     list.AddCircle(im(at), 4.5F * ui.scale, faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);
   }
   draw_axis_names(ui, ball, at);
-  if (read) tell_direction(context, ball_direction(ball.camera, {mouse, true}));
+  if (read) describe_direction(context, ball_direction(ball.camera, {mouse, true}));
 }
 
 }  // namespace moldlight::gui

@@ -55,7 +55,7 @@ void draw_bars(const PanelContext& context, const DraftChart& chart, const Draft
   }
 }
 
-void tell_bin(const PanelContext& context, const DraftChart& chart, const DraftCheck& check) {
+void describe_bin(const PanelContext& context, const DraftChart& chart, const DraftCheck& check) {
   const double draft = chart.draft_at(ImGui::GetIO().MousePos.x);
   const auto bin = std::ranges::find_if(
       check.histogram, [&](const DraftBin& each) { return draft >= each.from_deg && draft < each.to_deg; });
@@ -108,7 +108,7 @@ void draw_chart(const PanelContext& context, const DraftCheck& check) {
   draw_limit(context, chart);
   ImGui::SetCursorScreenPos(im(start));
   ImGui::Dummy(ImVec2(width, ui.px(k_chart)));
-  if (ImGui::IsItemHovered() && !ImGui::IsAnyItemActive()) tell_bin(context, chart, check);
+  if (ImGui::IsItemHovered() && !ImGui::IsAnyItemActive()) describe_bin(context, chart, check);
   ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + ui.px(k_chart + k_axis)));
 }
 

@@ -130,7 +130,7 @@ void draw_circle(const Ball& ball, const glm::dvec3& axis, double angle_deg, con
 /// Rings around the best directions, dots on those that tie with them, circles of the tilt margins.
 void draw_sweep_marks(const Ui& ui, const Ball& ball, const SweepState& sweep);
 /// A tooltip with what is known of the direction under the mouse.
-void tell_direction(const PanelContext& context, const glm::dvec3& direction);
+void describe_direction(const PanelContext& context, const glm::dvec3& direction);
 /// The scale of the colours with its ends, `width` pixels wide; returns its height.
 float draw_colour_bar(const PanelContext& context, const glm::vec2& at, float width);
 

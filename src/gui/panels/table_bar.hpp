@@ -75,7 +75,7 @@ struct ChoiceTable {
 void draw_choices(const PanelContext& context, const ChoiceTable& table, RowCursor& cursor,
                   const std::function<void(std::size_t, const ScreenBox&)>& draw_row);
 
-/// Rows in which numbers are typed; one out of range is told.
+/// Rows in which numbers are typed; one out of range is named.
 [[nodiscard]] RowOptions typed_numbers(const PanelContext& context);
 
 }  // namespace moldlight::gui

@@ -44,7 +44,7 @@ constexpr double k_thin = 0.6;
 
 /// From aside and above, as the pull sees above: what is under the part's ledges shows, and where it opens
 /// too.
-Camera telling_view(const PartModel& model, const glm::dvec3& direction, const glm::ivec2& size) {
+Camera clearest_view(const PartModel& model, const glm::dvec3& direction, const glm::ivec2& size) {
   const MapFrame frame = map_frame(direction);
   Camera camera;
   camera.orientation = looking_along(-(0.62 * frame.z + 0.62 * frame.x + 0.48 * frame.y), frame.z);
@@ -154,7 +154,7 @@ bool CandidatePictures::draw_next(const ViewSettings& view, const glm::ivec2& si
   scene.view.settings.required_draft_deg = view.required_draft_deg;
   scene.view.settings.pixel_scale = k_thin * view.pixel_scale;
   scene.view.settings.arrows = false;
-  scene.view.camera = telling_view(*scene_.part().model, candidate.candidate.direction, size_px);
+  scene.view.camera = clearest_view(*scene_.part().model, candidate.candidate.direction, size_px);
   for (int pass = 0; pass < k_refinements; ++pass) {
     if (!scene_.draw({.framebuffer = (*missing)->framebuffer(), .size = size_px}, scene)) break;
   }

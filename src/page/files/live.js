@@ -62,14 +62,14 @@ class Live {
     // While it moves, maps as fine as keep up.
     const took = now - this.last;
     if (!rest && took < 300) this.moving = between(this.moving * (took < 18 ? 2 : took > 75 ? 0.5 : 1), 512, 2048);
-    if (rest || !(now - this.told < 120)) this.tell(found, settings, rest);
+    if (rest || !(now - this.shownAt < 120)) this.showAreas(found, settings, rest);
     this.last = now;
     this.stale = "";
   }
   // What rays ask about a point of the part.
   query({tau, lateral}) { return {tau, lateral: lateral * this.live.diagonal, direction: this.view.direction}; }
   // Areas: the exact ones where the page has them, else those by maps with their error.
-  tell(found, settings, rest) {
+  showAreas(found, settings, rest) {
     const {live, view, rays} = this, query = this.query(settings);
     const settle = rest && ((facet, place) => rays.bits(rays.blockers(facet, inPart(live, place), query)));
     const areas = found ? [...found.areas] : this.maps.areas(settle);
@@ -81,7 +81,7 @@ class Live {
     const error = measured && `± ${(100 * measured[rest ? 2 : 1]).toFixed(2)} % of the surface`;
     this.find("standing").textContent = found ? "Exact areas." + (view.byMaps ? " The picture is by shadow maps." : "")
       : `Areas by shadow maps, ${error ?? "± not measured for these settings"}.`;
-    Object.assign(this, {areas, exact: Boolean(found), told: performance.now()});
+    Object.assign(this, {areas, exact: Boolean(found), shownAt: performance.now()});
   }
   // Turns the direction by a way on the screen.
   turn(x, y, angle) {
