@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <OpenMesh/Core/System/omstream.hh>
@@ -112,10 +113,8 @@ EdgeTable::EdgeTable(const TriangleMesh& mesh) : first_use_(mesh.vertices.size()
   });
 
   for (std::size_t low = 0; low + 1 < first_use_.size(); ++low) {
-    std::sort(uses_.begin() + first_use_[low], uses_.begin() + first_use_[low + 1],
-              [](const EdgeUse& a, const EdgeUse& b) {
-                return a.high != b.high ? a.high < b.high : a.half_edge < b.half_edge;
-              });
+    std::ranges::sort(uses_.begin() + first_use_[low], uses_.begin() + first_use_[low + 1], {},
+                      [](const EdgeUse& use) { return std::pair(use.high, use.half_edge); });
   }
 }
 

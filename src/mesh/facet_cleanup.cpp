@@ -97,9 +97,7 @@ std::vector<RimEdge> rim_edges(const TriangleMesh& mesh) {
     const HalfEdgeIndex open = uses[0].half_edge;
     rim.push_back({end_vertex(mesh, open), start_vertex(mesh, open), facet_of(open)});
   });
-  std::sort(rim.begin(), rim.end(), [](const RimEdge& a, const RimEdge& b) {
-    return std::pair(a.from, a.to) < std::pair(b.from, b.to);
-  });
+  std::ranges::sort(rim, {}, [](const RimEdge& edge) { return std::pair(edge.from, edge.to); });
   return rim;
 }
 
@@ -207,9 +205,7 @@ std::size_t drop_duplicate_facets(MeshInRepair& state) {
     if (odd) std::swap(corners[1], corners[2]);
     entries.push_back({corners, facet, odd});
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.sorted != b.sorted ? a.sorted < b.sorted : a.facet < b.facet;
-  });
+  std::ranges::sort(entries, {}, [](const Entry& entry) { return std::pair(entry.sorted, entry.facet); });
   std::vector<bool> stays(state.mesh.facets.size(), true);
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
     std::ptrdiff_t even = 0;

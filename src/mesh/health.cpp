@@ -1,6 +1,7 @@
 #include "mesh/health.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -243,8 +244,7 @@ std::vector<EdgeChain> defect_chains(const TriangleMesh& mesh, EdgeDefect defect
   const std::vector<DefectEdge> edges = defect_edges(mesh, defect);
   if (edges.empty()) return {};
   std::vector<EdgeChain> chains = ChainWalk(mesh, edges).run();
-  std::stable_sort(chains.begin(), chains.end(),
-                   [](const EdgeChain& a, const EdgeChain& b) { return a.length > b.length; });
+  std::ranges::stable_sort(chains, std::greater{}, &EdgeChain::length);
   return chains;
 }
 

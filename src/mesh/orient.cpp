@@ -100,8 +100,7 @@ void sweep(const TriangleMesh& mesh, std::span<const FacetIndex> facets, const s
     const std::array<glm::dvec3, 3> corners = {
         ray_frame(mesh.corner(facet, 0)), ray_frame(mesh.corner(facet, 1)), ray_frame(mesh.corner(facet, 2))};
     const auto [low, high] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
-    auto query = std::lower_bound(queries.begin(), queries.end(), low,
-                                  [](const Query& q, double x) { return q.point.x < x; });
+    auto query = std::ranges::lower_bound(queries, low, {}, [](const Query& q) { return q.point.x; });
     for (; query != queries.end() && query->point.x <= high; ++query) {
       if (ray_meets(corners, query->point))
         odd[query->inner][query->place] = !odd[query->inner][query->place];
@@ -136,8 +135,7 @@ std::vector<std::vector<FacetIndex>> enclosing_components(const TriangleMesh& me
       }
     }
     if (queries.empty()) continue;
-    std::sort(queries.begin(), queries.end(),
-              [](const Query& a, const Query& b) { return a.point.x < b.point.x; });
+    std::ranges::sort(queries, {}, [](const Query& query) { return query.point.x; });
     sweep(
         mesh,
         std::span(sorted.facets).subspan(sorted.first[outer], sorted.first[outer + 1] - sorted.first[outer]),
@@ -208,8 +206,7 @@ std::vector<bool> choose_turned(std::vector<int> signs, const std::vector<FacetI
     outermost_first[i] = i;
     depth[solids[i]] = enclosing[i].size();
   }
-  std::stable_sort(outermost_first.begin(), outermost_first.end(),
-                   [&](std::size_t a, std::size_t b) { return enclosing[a].size() < enclosing[b].size(); });
+  std::ranges::stable_sort(outermost_first, {}, [&](std::size_t i) { return enclosing[i].size(); });
 
   std::vector<bool> turned(signs.size(), false);
   for (const std::size_t i : outermost_first) {

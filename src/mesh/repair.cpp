@@ -41,8 +41,7 @@ std::vector<std::uint32_t> carried_over(const std::vector<std::uint32_t>& former
 void finish_repair(MeshInRepair&& state, Part& part) {
   std::vector<FacetIndex> order(state.mesh.facets.size());
   std::iota(order.begin(), order.end(), FacetIndex{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](FacetIndex a, FacetIndex b) { return state.body[a] < state.body[b]; });
+  std::ranges::stable_sort(order, {}, [&](FacetIndex facet) { return state.body[facet]; });
   std::vector<FacetIndex> origin;
   part.mesh.vertices = std::move(state.mesh.vertices);
   part.mesh.facets.clear();

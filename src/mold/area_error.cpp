@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include <glm/geometric.hpp>
@@ -79,8 +80,7 @@ FacetUndercuts facet_undercuts(const FacetFractions& facet_fractions, const Face
 
   std::vector<FacetIndex> order(undercuts.areas.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](FacetIndex a, FacetIndex b) { return undercuts.areas[a] > undercuts.areas[b]; });
+  std::ranges::stable_sort(order, std::greater{}, [&](FacetIndex k) { return undercuts.areas[k]; });
   std::vector<FacetIndex> number(order.size(), k_no_facet);
   std::vector<double> areas;
   for (const FacetIndex undercut : order) {

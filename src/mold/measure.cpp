@@ -69,8 +69,7 @@ std::vector<SourceAreas> region_areas_by_source(std::span<const std::uint32_t> f
   // Facets of one source stand together in most files, but not in all.
   std::vector<std::uint32_t> order(facet_sources.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return facet_sources[a] < facet_sources[b]; });
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t facet) { return facet_sources[facet]; });
   std::vector<SourceAreas> sums;
   for (const std::uint32_t facet : order) {
     if (sums.empty() || sums.back().source != facet_sources[facet])

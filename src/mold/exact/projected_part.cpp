@@ -231,9 +231,7 @@ void ProjectedPart::leave_out_covered_edges() {
     }
     places.push_back(at);
   }
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
-    return a.ends != b.ends ? a.ends < b.ends : a.edge < b.edge;
-  });
+  std::ranges::sort(places, {}, [](const Place& place) { return std::pair(place.ends, place.edge); });
   for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
     while (end < places.size() && places[end].ends == places[begin].ends) ++end;
     if (end - begin == 1) continue;

@@ -70,8 +70,7 @@ std::vector<RegionBorder> region_borders(const SplitMesh& mesh) {
   const auto key = [](const BorderEdge& edge) {
     return std::tuple(edge.left, edge.right, edge.from, edge.to);
   };
-  std::sort(edges.begin(), edges.end(),
-            [&](const BorderEdge& a, const BorderEdge& b) { return key(a) < key(b); });
+  std::ranges::sort(edges, {}, key);
   std::vector<RegionBorder> borders;
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
     const Region left = edges[begin].left, right = edges[begin].right;
