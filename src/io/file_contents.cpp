@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -76,11 +77,6 @@ class Sum {
  private:
   EVP_MD_CTX* context_;
 };
-
-int hex_value(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
-}
 
 }  // namespace
 
@@ -181,14 +177,13 @@ std::string hex_of(const Digest& digest) {
 }
 
 std::optional<Digest> digest_from(std::string_view hex) {
-  Digest digest;
+  Digest digest{};
   if (hex.size() != 2 * digest.size()) return std::nullopt;
   for (std::size_t k = 0; k < digest.size(); ++k) {
-    const int high = hex_value(hex[2 * k]), low = hex_value(hex[2 * k + 1]);
-    if (high < 0 || low < 0) return std::nullopt;
-    digest[k] = static_cast<std::uint8_t>(16 * high + low);
+    const char* byte = hex.data() + 2 * k;
+    if (std::from_chars(byte, byte + 2, digest[k], 16).ptr != byte + 2) return std::nullopt;
   }
-  return digest;
+  return hex_of(digest) == hex ? std::optional(digest) : std::nullopt;
 }
 
 }  // namespace moldlight

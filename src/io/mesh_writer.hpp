@@ -1,5 +1,5 @@
 // Writing a mesh with its facets in groups, such as regions, each in a colour of its own, and the lines
-// between regions. Facet k of the file is facet k of the mesh.
+// between regions; and solids for printing and machining. Facet k of the file is facet k of the mesh.
 #pragma once
 
 #include <cstdint>
@@ -96,5 +96,17 @@ void write_borders(const std::string& path, const SplitMesh& mesh);
 
 /// Throws UsageError where write_borders would for the extension: to be asked before long work.
 void check_border_extension(const std::string& path);
+
+/// Binary STL, coordinates in single precision, normals left to readers; the file is replaced whole or not at
+/// all. Throws FileError.
+void write_solid_stl(const std::string& path, const TriangleMesh& mesh, const std::string& unit);
+
+struct NamedSolid {
+  std::string name;
+  const TriangleMesh* mesh = nullptr;
+};
+/// 3MF: an object a solid, each once; in millimetres where `unit` ("mm", "in", …) is none that 3MF knows.
+/// Throws FileError.
+void write_solids_3mf(const std::string& path, std::span<const NamedSolid> solids, const std::string& unit);
 
 }  // namespace moldlight

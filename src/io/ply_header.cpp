@@ -1,5 +1,6 @@
 #include "io/ply_header.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "io/text_scanner.hpp"
@@ -8,26 +9,16 @@ namespace moldlight {
 
 namespace {
 
-struct TypeName {
-  std::string_view name;
-  PlyType type;
-};
-constexpr std::array<TypeName, 16> k_type_names = {{{"char", PlyType::int8},
-                                                    {"int8", PlyType::int8},
-                                                    {"uchar", PlyType::uint8},
-                                                    {"uint8", PlyType::uint8},
-                                                    {"short", PlyType::int16},
-                                                    {"int16", PlyType::int16},
-                                                    {"ushort", PlyType::uint16},
-                                                    {"uint16", PlyType::uint16},
-                                                    {"int", PlyType::int32},
-                                                    {"int32", PlyType::int32},
-                                                    {"uint", PlyType::uint32},
-                                                    {"uint32", PlyType::uint32},
-                                                    {"float", PlyType::float32},
-                                                    {"float32", PlyType::float32},
-                                                    {"double", PlyType::float64},
-                                                    {"float64", PlyType::float64}}};
+/// By PlyType: what headers call it, and its bytes.
+constexpr std::array<std::array<std::string_view, 2>, 8> k_type_names = {{{"char", "int8"},
+                                                                          {"uchar", "uint8"},
+                                                                          {"short", "int16"},
+                                                                          {"ushort", "uint16"},
+                                                                          {"int", "int32"},
+                                                                          {"uint", "uint32"},
+                                                                          {"float", "float32"},
+                                                                          {"double", "float64"}}};
+constexpr std::array<std::size_t, 8> k_type_sizes = {1, 1, 2, 2, 4, 4, 4, 8};
 
 class PlyHeaderParser {
  public:
@@ -122,8 +113,8 @@ void PlyHeaderParser::parse_property() {
 
 PlyType PlyHeaderParser::parse_type() {
   const std::string_view word = words_.next_on_line();
-  for (const auto& [name, type] : k_type_names) {
-    if (word == name) return type;
+  for (std::size_t type = 0; type < k_type_names.size(); ++type) {
+    if (std::ranges::count(k_type_names[type], word) > 0) return static_cast<PlyType>(type);
   }
   context_.fail(place(), "expected a PLY type such as 'float', found {}; export the part again",
                 in_quotes(word));
@@ -153,23 +144,7 @@ void PlyHeaderParser::check_counts() const {
 
 }  // namespace
 
-std::size_t ply_type_size(PlyType type) {
-  switch (type) {
-    case PlyType::int8:
-    case PlyType::uint8:
-      return 1;
-    case PlyType::int16:
-    case PlyType::uint16:
-      return 2;
-    case PlyType::int32:
-    case PlyType::uint32:
-    case PlyType::float32:
-      return 4;
-    case PlyType::float64:
-      break;
-  }
-  return 8;
-}
+std::size_t ply_type_size(PlyType type) { return k_type_sizes[static_cast<std::size_t>(type)]; }
 
 std::optional<std::size_t> PlyElement::find(std::string_view property) const {
   for (std::size_t i = 0; i < properties.size(); ++i) {

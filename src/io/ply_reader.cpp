@@ -16,6 +16,17 @@ namespace {
 
 constexpr std::uint64_t k_rows_between_reports = 1 << 16;
 
+template <typename T>
+double value_of(const char* raw) {
+  T value;
+  std::memcpy(&value, raw, sizeof(T));
+  return static_cast<double>(value);
+}
+/// By PlyType.
+constexpr std::array<double (*)(const char*), 8> k_values = {
+    value_of<std::int8_t>,  value_of<std::uint8_t>,  value_of<std::int16_t>, value_of<std::uint16_t>,
+    value_of<std::int32_t>, value_of<std::uint32_t>, value_of<float>,        value_of<double>};
+
 /// Values of the data, one after the other, whatever the encoding. Every PLY type fits a double exactly.
 class PlyValues {
  public:
@@ -75,29 +86,7 @@ double PlyValues::next_bytes(PlyType type) {
   if ((header_.encoding == PlyEncoding::little_endian) != k_little)
     std::reverse(raw.begin(), raw.begin() + size);
   position_ += size;
-  const auto as = [&]<typename T>(T value) {
-    std::memcpy(&value, raw.data(), sizeof(T));
-    return static_cast<double>(value);
-  };
-  switch (type) {
-    case PlyType::int8:
-      return as(std::int8_t{});
-    case PlyType::uint8:
-      return as(std::uint8_t{});
-    case PlyType::int16:
-      return as(std::int16_t{});
-    case PlyType::uint16:
-      return as(std::uint16_t{});
-    case PlyType::int32:
-      return as(std::int32_t{});
-    case PlyType::uint32:
-      return as(std::uint32_t{});
-    case PlyType::float32:
-      return as(float{});
-    case PlyType::float64:
-      break;
-  }
-  return as(double{});
+  return k_values[static_cast<std::size_t>(type)](raw.data());
 }
 
 std::size_t PlyValues::next_count(const PlyProperty& list) {

@@ -11,7 +11,7 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::size_t k_lines_between_reports = 1 << 16;
+constexpr std::uint64_t k_lines_between_reports = 1 << 16;
 
 /// Statements of the format that say nothing of vertices and polygons.
 constexpr std::array<std::string_view, 40> k_passed_over = {
@@ -20,14 +20,13 @@ constexpr std::array<std::string_view, 40> k_passed_over = {
     "step", "curv", "curv2", "surf",     "parm",     "trim",       "hole",      "scrv",   "sp",     "end",
     "con",  "bsp",  "bzp",   "cdc",      "cdp",      "res",        "ctech",     "stech",  "call",   "csh"};
 
-class ObjParser {
+class PolygonTextParser {
  public:
-  explicit ObjParser(const ReadContext& context)
-      : context_(context),
-        words_(context.bytes(), {.has_comments = true, .continuation = true}),
-        builder_(context) {}
+  PolygonTextParser(const ReadContext& context, TextRules rules)
+      : context_(context), words_(context.bytes(), rules), builder_(context) {}
 
-  [[nodiscard]] Part parse();
+  [[nodiscard]] Part parse_obj();
+  [[nodiscard]] Part parse_off();
 
  private:
   /// A corner that names a vertex not yet seen: right only if the vertex follows.
@@ -36,28 +35,51 @@ class ObjParser {
     std::size_t line = 0;
   };
 
-  void parse_statement(std::string_view keyword);
-  void parse_vertex();
-  void parse_face();
-  [[nodiscard]] std::uint32_t parse_corner(std::string_view word);
+  void parse_obj_statement(std::string_view keyword);
+  void parse_obj_vertex();
+  void parse_obj_face();
+  [[nodiscard]] std::uint32_t parse_obj_corner(std::string_view word);
+  void parse_off_keyword();
+  [[nodiscard]] std::uint64_t parse_off_count(std::string_view word);
+  void parse_off_vertex();
+  void parse_off_face();
+  /// The point's numbers from `first` are the file's.
+  void add_vertex(const glm::dvec3& point, std::size_t first);
+  void report(std::uint64_t row);
   [[nodiscard]] std::string place() const { return fmt::format("line {}", words_.line()); }
 
   const ReadContext& context_;
   TextScanner words_;
   PolygonPartBuilder builder_;
   std::vector<std::uint32_t> corners_;
+  // Of an OBJ file:
   std::vector<BodyStart> objects_, groups_;
   std::vector<Promise> promises_;  // each greater than those before it
   std::size_t surfaces_ = 0;
+  // Of an OFF file, as declared:
+  std::uint64_t vertices_ = 0, faces_ = 0;
 };
 
-Part ObjParser::parse() {
+void PolygonTextParser::report(std::uint64_t row) {
+  if (row % k_lines_between_reports != 0) return;
+  const auto total = static_cast<double>(context_.bytes().size());
+  context_.progress.report("reading lines", static_cast<double>(words_.offset()) / total);
+}
+
+/// Weights and colours may follow the coordinates; they say nothing of the shape of polygons.
+void PolygonTextParser::add_vertex(const glm::dvec3& point, std::size_t first) {
+  if (!is_usable_point(point)) {
+    context_.fail(place(), "vertex {} is ({}, {}, {}); export the part again",
+                  builder_.vertex_count() + first, point.x, point.y, point.z);
+  }
+  builder_.add_vertex(point);
+  words_.rest_of_line();
+}
+
+Part PolygonTextParser::parse_obj() {
   for (std::size_t count = 0; !words_.at_end(); ++count) {
-    if (count % k_lines_between_reports == 0) {
-      const auto total = static_cast<double>(context_.bytes().size());
-      context_.progress.report("reading lines", static_cast<double>(words_.offset()) / total);
-    }
-    parse_statement(words_.next());
+    report(count);
+    parse_obj_statement(words_.next());
   }
   const auto broken = std::find_if(promises_.begin(), promises_.end(), [&](const Promise& promise) {
     return promise.index > static_cast<std::int64_t>(builder_.vertex_count());
@@ -73,11 +95,11 @@ Part ObjParser::parse() {
   return builder_.finish(objects_.empty() ? groups_ : objects_);
 }
 
-void ObjParser::parse_statement(std::string_view keyword) {
+void PolygonTextParser::parse_obj_statement(std::string_view keyword) {
   if (keyword == "v") {
-    parse_vertex();
+    parse_obj_vertex();
   } else if (keyword == "f" || keyword == "fo") {
-    parse_face();
+    parse_obj_face();
   } else if (keyword == "o") {
     objects_.push_back({clean_name(words_.rest_of_line()), builder_.polygon_count()});
   } else if (keyword == "g") {
@@ -90,8 +112,7 @@ void ObjParser::parse_statement(std::string_view keyword) {
   }
 }
 
-/// Weights and colours may follow the coordinates; they say nothing of the shape of polygons.
-void ObjParser::parse_vertex() {
+void PolygonTextParser::parse_obj_vertex() {
   glm::dvec3 point;
   for (int axis = 0; axis < 3; ++axis) {
     const std::string_view word = words_.next_on_line();
@@ -102,20 +123,15 @@ void ObjParser::parse_vertex() {
       context_.fail(place(), "expected a coordinate, found {}; export the part again", in_quotes(word));
     point[axis] = *value;
   }
-  if (!is_usable_point(point)) {
-    context_.fail(place(), "vertex {} is ({}, {}, {}); export the part again", builder_.vertex_count() + 1,
-                  point.x, point.y, point.z);
-  }
-  builder_.add_vertex(point);
-  words_.rest_of_line();
+  add_vertex(point, 1);
 }
 
-void ObjParser::parse_face() {
+void PolygonTextParser::parse_obj_face() {
   corners_.clear();
   while (true) {
     const std::string_view word = words_.next_on_line();
     if (word.empty()) break;
-    corners_.push_back(parse_corner(word));
+    corners_.push_back(parse_obj_corner(word));
   }
   if (corners_.size() < 3) {
     context_.fail(place(), "a face has {} corners, it needs three; export the part again", corners_.size());
@@ -124,7 +140,7 @@ void ObjParser::parse_face() {
 }
 
 /// 'v', 'v/vt', 'v//vn' or 'v/vt/vn': the vertex number from 0. The others are only checked to be numbers.
-std::uint32_t ObjParser::parse_corner(std::string_view word) {
+std::uint32_t PolygonTextParser::parse_obj_corner(std::string_view word) {
   std::int64_t index = 0;
   std::string_view rest = word;
   for (int part = 0; part < 3; ++part) {
@@ -153,34 +169,10 @@ std::uint32_t ObjParser::parse_corner(std::string_view word) {
   return static_cast<std::uint32_t>(index - 1);
 }
 
-constexpr std::uint64_t k_off_lines_between_reports = 1 << 16;
-
-class OffParser {
- public:
-  explicit OffParser(const ReadContext& context)
-      : context_(context), words_(context.bytes(), {.has_comments = true}), builder_(context) {}
-
-  [[nodiscard]] Part parse();
-
- private:
-  void parse_keyword();
-  [[nodiscard]] std::uint64_t parse_count(std::string_view word);
-  void parse_vertex();
-  void parse_face();
-  void report(std::uint64_t row);
-  [[nodiscard]] std::string place() const { return fmt::format("line {}", words_.line()); }
-
-  const ReadContext& context_;
-  TextScanner words_;
-  PolygonPartBuilder builder_;
-  std::uint64_t vertices_ = 0, faces_ = 0;  // declared
-  std::vector<std::uint32_t> corners_;
-};
-
-Part OffParser::parse() {
-  parse_keyword();
-  vertices_ = parse_count(words_.next());
-  faces_ = parse_count(words_.next_on_line());
+Part PolygonTextParser::parse_off() {
+  parse_off_keyword();
+  vertices_ = parse_off_count(words_.next());
+  faces_ = parse_off_count(words_.next_on_line());
   words_.rest_of_line();
   // A vertex takes six bytes at least, a face eight.
   if (vertices_ > context_.bytes().size() / 6 || faces_ > context_.bytes().size() / 8) {
@@ -191,17 +183,17 @@ Part OffParser::parse() {
   }
   for (std::uint64_t row = 0; row < vertices_; ++row) {
     report(row);
-    parse_vertex();
+    parse_off_vertex();
   }
   for (std::uint64_t row = 0; row < faces_; ++row) {
     report(row);
-    parse_face();
+    parse_off_face();
   }
   if (!words_.at_end()) builder_.warn("more lines follow the faces that the OFF header declares");
   return builder_.finish();
 }
 
-void OffParser::parse_keyword() {
+void PolygonTextParser::parse_off_keyword() {
   const std::string_view keyword = words_.next();
   if (!keyword.ends_with("OFF") || keyword.find_first_not_of("STCNOF") != std::string_view::npos) {
     context_.fail(place(), "expected 'OFF', found {}; export the part in three dimensions",
@@ -212,7 +204,7 @@ void OffParser::parse_keyword() {
   words_ = before;
 }
 
-std::uint64_t OffParser::parse_count(std::string_view word) {
+std::uint64_t PolygonTextParser::parse_off_count(std::string_view word) {
   const auto count = parse_integer(word);
   if (!count || *count < 0) {
     context_.fail(place(), "expected a count of vertices or faces, found {}; export the part again",
@@ -221,13 +213,7 @@ std::uint64_t OffParser::parse_count(std::string_view word) {
   return static_cast<std::uint64_t>(*count);
 }
 
-void OffParser::report(std::uint64_t row) {
-  if (row % k_off_lines_between_reports != 0) return;
-  const auto total = static_cast<double>(context_.bytes().size());
-  context_.progress.report("reading lines", static_cast<double>(words_.offset()) / total);
-}
-
-void OffParser::parse_vertex() {
+void PolygonTextParser::parse_off_vertex() {
   glm::dvec3 point;
   for (int axis = 0; axis < 3; ++axis) {
     const std::string_view word = axis == 0 ? words_.next() : words_.next_on_line();
@@ -238,15 +224,10 @@ void OffParser::parse_vertex() {
     }
     point[axis] = *value;
   }
-  if (!is_usable_point(point)) {
-    context_.fail(place(), "vertex {} is ({}, {}, {}); export the part again", builder_.vertex_count(),
-                  point.x, point.y, point.z);
-  }
-  builder_.add_vertex(point);
-  words_.rest_of_line();
+  add_vertex(point, 0);
 }
 
-void OffParser::parse_face() {
+void PolygonTextParser::parse_off_face() {
   const std::string_view count_word = words_.next();
   const auto count = parse_integer(count_word);
   if (!count) {
@@ -278,8 +259,12 @@ void OffParser::parse_face() {
 
 }  // namespace
 
-Part read_obj(const ReadContext& context) { return ObjParser(context).parse(); }
+Part read_obj(const ReadContext& context) {
+  return PolygonTextParser(context, {.has_comments = true, .continuation = true}).parse_obj();
+}
 
-Part read_off(const ReadContext& context) { return OffParser(context).parse(); }
+Part read_off(const ReadContext& context) {
+  return PolygonTextParser(context, {.has_comments = true}).parse_off();
+}
 
 }  // namespace moldlight

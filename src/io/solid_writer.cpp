@@ -1,5 +1,3 @@
-#include "io/solid_writer.hpp"
-
 #include <cstdint>
 #include <cstring>
 #include <iterator>

@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.hpp"
-#include "io/solid_writer.hpp"
+#include "io/mesh_writer.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "parting/halves/tidy_solid.hpp"
 

@@ -15,7 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "io/solid_writer.hpp"
+#include "io/mesh_writer.hpp"
 #include "mesh/weld.hpp"
 #include "support/boxes.hpp"
 #include "support/mesh_edits.hpp"
