@@ -1,5 +1,3 @@
-#include "compare/chord_deviation.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "compare/overlay.hpp"
 #include "mesh/union_find.hpp"
 
 namespace moldlight {

@@ -47,37 +47,16 @@ double longest_travel(const ActionPlan& plan) {
   for (const SideAction& action : plan.actions) most = std::max(most, action.travel);
   return most;
 }
-Found volume(const ComparedPart& part) {
-  return part.model->health.closed ? Found(part.model->health.volume) : std::nullopt;
-}
-Found verdict_state(const ComparedPart& part) {
-  return part.verdict ? Found(static_cast<double>(part.verdict->state)) : std::nullopt;
-}
-Found place_count(const SurfaceChange& surface) { return static_cast<double>(surface.places.size()); }
-
-/// Of a mold that was asked for.
-template <typename Find>
-Found of_mold(const Comparison& comparison, const Find& find) {
-  return comparison.mold ? Found(find(*comparison.mold)) : std::nullopt;
-}
-Found steel_to_cut(const Comparison& comparison) {
-  return of_mold(comparison, [](const MoldChange& mold) { return mold.to_cut.volume; });
-}
-Found steel_to_add(const Comparison& comparison) {
-  return of_mold(comparison, [](const MoldChange& mold) { return mold.to_add.volume; });
-}
-Found parting_moved(const Comparison& comparison) {
-  return of_mold(comparison, [](const MoldChange& mold) {
-    double most = 0.0;
-    for (const LineStretch& one : mold.line.fresh) most = std::max(most, one.farthest);
-    return most;
-  });
-}
-
 /// What criteria know of a part beside its regions.
 constexpr FigureRow<ComparedPart> k_plan_figures[] = {
-    {k_verdict_figure, "", Kind::number, verdict_state},
-    {"volume", "", Kind::volume, volume},
+    {k_verdict_figure, "", Kind::number,
+     [](const ComparedPart& part) {
+       return part.verdict ? Found(static_cast<double>(part.verdict->state)) : std::nullopt;
+     }},
+    {"volume", "", Kind::volume,
+     [](const ComparedPart& part) {
+       return part.model->health.closed ? Found(part.model->health.volume) : std::nullopt;
+     }},
     {"undercuts", "", Kind::count, of_plan<undercut_count>},
     {"actions", "", Kind::count, of_plan<action_count<any_action>>},
     {"slides", "", Kind::count, of_plan<action_count<is_slide>>},
@@ -89,15 +68,24 @@ constexpr FigureRow<ComparedPart> k_plan_figures[] = {
 constexpr FigureRow<SurfaceChange> k_change_figures[] = {
     {"gone", "", Kind::area, member<&SurfaceChange::gone, &MeasuredArea::area>},
     {"new", "", Kind::area, member<&SurfaceChange::added, &MeasuredArea::area>},
-    {"places", "", Kind::count, place_count},
+    {"places", "", Kind::count,
+     [](const SurfaceChange& surface) -> Found { return static_cast<double>(surface.places.size()); }},
     {"other_region", "", Kind::area, member<&SurfaceChange::other_region>},
 };
 
 /// Of what becomes of the mold.
 constexpr FigureRow<Comparison> k_mold_figures[] = {
-    {"steel_to_add", "", Kind::volume, steel_to_add},
-    {"steel_to_cut", "", Kind::volume, steel_to_cut},
-    {"parting_moved", "", Kind::length, parting_moved},
+    {"steel_to_add", "", Kind::volume,
+     [](const Comparison& c) { return c.mold ? Found(c.mold->to_add.volume) : std::nullopt; }},
+    {"steel_to_cut", "", Kind::volume,
+     [](const Comparison& c) { return c.mold ? Found(c.mold->to_cut.volume) : std::nullopt; }},
+    {"parting_moved", "", Kind::length,
+     [](const Comparison& c) {
+       double most = 0.0;
+       if (c.mold)
+         for (const LineStretch& one : c.mold->line.fresh) most = std::max(most, one.farthest);
+       return c.mold ? Found(most) : std::nullopt;
+     }},
 };
 
 /// Of a part, in the order of their names.

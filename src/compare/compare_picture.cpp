@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "classify/view_choice.hpp"
+#include "classify/still_picture.hpp"
 #include "picture/canvas.hpp"
 
 namespace moldlight {
@@ -58,8 +58,6 @@ const ComparedPart& part_of(const Comparison& comparison, Revision revision) {
 
 Colour lit_colour(Lit what) { return facts_of(what).colour; }
 
-std::string_view lit_name(Lit what) { return facts_of(what).name; }
-
 std::vector<LitPolygon> lit_surface(const Comparison& comparison, bool of_a) {
   const SurfaceChange& surface = comparison.surface;
   const std::vector<LeftOver>& left = of_a ? surface.of_a.left : surface.of_b.left;
@@ -98,7 +96,7 @@ std::vector<StillBody> lit_bodies(const Comparison& comparison, Revision revisio
     }
     if (!plates.mesh.facets.empty())
       bodies.push_back(
-          {std::move(plates.mesh), glm::dmat4(1.0), lit_colour(what), std::string(lit_name(what))});
+          {std::move(plates.mesh), glm::dmat4(1.0), lit_colour(what), std::string(facts_of(what).name)});
   }
   return bodies;
 }

@@ -14,7 +14,6 @@ namespace moldlight {
 
 enum class Lit : std::uint8_t { gone, added, other_region };
 [[nodiscard]] Colour lit_colour(Lit what);
-[[nodiscard]] std::string_view lit_name(Lit what);
 
 /// A bit of a part's surface. It points into the comparison that it is of.
 struct LitPolygon {

@@ -15,15 +15,13 @@ namespace moldlight {
 
 namespace {
 
-Json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
 Json alignment_json(const Alignment& alignment) {
   Json rows = Json::array();
   for (int row = 0; row < 3; ++row)
     rows.push_back({alignment.rotation[0][row], alignment.rotation[1][row], alignment.rotation[2][row]});
   return {
       {"rotation", rows},
-      {"shift", vector_json(alignment.shift)},
+      {"shift", point_json(alignment.shift)},
       {"residual", {{"rms", alignment.rms}, {"largest", alignment.largest}, {"median", alignment.median}}},
       {"mirrored", alignment.mirrored}};
 }
@@ -39,7 +37,7 @@ Json steel_json(const Comparison& comparison, const std::optional<SteelChange>& 
   Json json = volume_json(steel->volume);
   json["area"] = steel->area;
   json["depth"] = steel->depth;
-  json["centre"] = vector_json(steel->centre);
+  json["centre"] = point_json(steel->centre);
   json["of"] = Json::array();
   for (const auto& [owner, area] : steel->of)
     json["of"].push_back({{"name", steel_owner_text(comparison, owner, is_cut)}, {"area", area}});
@@ -49,7 +47,7 @@ Json steel_json(const Comparison& comparison, const std::optional<SteelChange>& 
 Json stretches_json(const std::vector<LineStretch>& stretches) {
   Json list = Json::array();
   for (const LineStretch& one : stretches)
-    list.push_back({{"length", one.length}, {"farthest", one.farthest}, {"at", vector_json(one.at)}});
+    list.push_back({{"length", one.length}, {"farthest", one.farthest}, {"at", point_json(one.at)}});
   return list;
 }
 
@@ -78,7 +76,7 @@ Json places_json(const Comparison& comparison) {
                     {"joined", place.joined},
                     {"steel_to_cut", steel_json(comparison, steel.cut, true)},
                     {"steel_to_add", steel_json(comparison, steel.add, false)},
-                    {"centre", vector_json(place.centre)},
+                    {"centre", point_json(place.centre)},
                     {"bounds", bounds_json(place.bounds)}});
   }
   return list;
@@ -90,7 +88,7 @@ Json changed_regions_json(const SurfaceChange& surface) {
     list.push_back({{"from", region_name(region.from)},
                     {"to", region_name(region.to)},
                     {"area", region.area},
-                    {"centre", vector_json(region.centre)},
+                    {"centre", point_json(region.centre)},
                     {"bounds", bounds_json(region.bounds)}});
   }
   return list;
@@ -100,14 +98,14 @@ Json undercut_json(const UndercutReport& report) {
   const Undercut& undercut = report.undercut;
   return {{"area", undercut.area},
           {"depth", std::isfinite(report.depth) ? Json(report.depth) : Json()},
-          {"centre", vector_json(undercut.centre)},
+          {"centre", point_json(undercut.centre)},
           {"size_across", undercut.size_across},
           {"size_along", undercut.size_along}};
 }
 
 Json action_json(const SideAction& action) {
   return {{"kind", facts(action.kind).name},
-          {"direction", vector_json(action.direction)},
+          {"direction", point_json(action.direction)},
           {"travel", action.travel},
           {"area", action.area}};
 }
@@ -137,7 +135,7 @@ Json compare_json(const Comparison& comparison) {
   json["schema"] = "moldlight.compare/1";
   json["a"] = part_json(*a.model, a.result.warnings);
   json["b"] = part_json(*b.model, b.result.warnings);
-  json["direction"] = {{"a", vector_json(a.result.direction)}, {"b", vector_json(b.result.direction)}};
+  json["direction"] = {{"a", point_json(a.result.direction)}, {"b", point_json(b.result.direction)}};
   json["settings"] = options_json(method_options(), a.result.settings);
   json["settings"].update(options_json(compare_options(), settings));
   json["settings"].update(options_json(action_options(), settings.actions));

@@ -49,6 +49,25 @@ std::string unit_remark(const PartModel& a, const PartModel& b) {
   return {};
 }
 
+/// B in the unit of A, where the files of both name theirs and they differ; else B itself. Adds a remark
+/// where it was converted, and where the parts' sizes are as far apart as two units.
+std::shared_ptr<const PartModel> in_unit_of(const std::shared_ptr<const PartModel>& a,
+                                            const std::shared_ptr<const PartModel>& b,
+                                            std::vector<std::string>& remarks, const Progress& progress) {
+  std::shared_ptr<const PartModel> converted = b;
+  const auto unit_a = find_length_unit(a->part.unit), unit_b = find_length_unit(b->part.unit);
+  if (unit_a && unit_b && unit_a->mm != unit_b->mm) {
+    Part part = b->part;
+    for (glm::dvec3& vertex : part.mesh.vertices) vertex *= unit_b->mm / unit_a->mm;
+    part.unit = a->part.unit;
+    converted = prepare_part(std::move(part), progress);
+    remarks.push_back(fmt::format("B is in {}, A in {}: B was converted", b->part.unit, a->part.unit));
+  }
+  const std::string remark = unit_remark(*a, *converted);
+  if (!remark.empty()) remarks.push_back(remark);
+  return converted;
+}
+
 /// "2 new, 1 gone"; empty where all are the same.
 std::string changes_text(const std::vector<MatchedChange>& changes) {
   std::vector<std::string> counts;
@@ -84,6 +103,12 @@ std::string undercut_text(const Comparison& comparison, const FigureStyle& style
   const std::string change = change_percent(before, after);
   return fmt::format("undercut {} {} {}, was {}{}{}", after > before ? "grew to" : "shrank to", is, unit, was,
                      change.empty() ? "" : ", ", change);
+}
+
+/// " ± 0.2" where it can be seen in the digits shown.
+std::string seen_error(const MeasuredVolume& measured) {
+  constexpr double k_seen_share = 5e-5;
+  return measured.error > k_seen_share * measured.volume ? " ± " + error_text(measured.error) : std::string();
 }
 
 const ActionPlan* plan_of(const ComparedPart& part) { return part.plan ? &*part.plan : nullptr; }
@@ -125,52 +150,22 @@ void compare_plans(const PlannedSide& a, const PlannedSide& b, Comparison& compa
 }  // namespace
 
 std::span<const Option<CompareSettings>> compare_options() {
-  static const std::array<Option<CompareSettings>, 4> k_options = {
-      {{.key = "align",
-        .flag = "--align",
-        .label = "Align",
-        .unit = "",
-        .help = "Turn and move B onto A before the comparison. Directions refer to A.",
-        .kind = SwitchKind<CompareSettings>{&CompareSettings::align}},
-       {.key = "same_within",
-        .flag = "--same-within",
-        .label = "Same within",
-        .unit = "part's unit",
-        .help = "Largest distance between surfaces that count as the same. On bent faces, the error of both "
-                "tessellations is added. The default is 1/10,000 of A's diagonal.",
-        .kind = PositiveKind<CompareSettings>{[](CompareSettings& s) -> double& { return s.same_within; }}},
-       {.key = "actions",
-        .flag = "--actions",
-        .label = "Side actions",
-        .unit = "",
-        .help = "Compare the undercuts one by one, with their side actions",
-        .kind = SwitchKind<CompareSettings>{&CompareSettings::with_actions}},
-       {.key = "mold",
-        .flag = "--mold",
-        .label = "Mold",
-        .unit = "",
-        .help =
-            "Report whether A's mold survives: steel to cut and to add, and where the parting line moves. "
-            "On where --direction names a direction.",
-        .kind = SwitchKind<CompareSettings>{&CompareSettings::with_mold}}}};
+  using S = CompareSettings;
+  static const std::vector<Option<S>> k_options = {
+      {"align", "--align", "Align", "",
+       "Turn and move B onto A before the comparison. Directions refer to A.", SwitchKind<S>{&S::align}},
+      {"same_within", "--same-within", "Same within", "part's unit",
+       "Largest distance between surfaces that count as the same. On bent faces, the error of both "
+       "tessellations is added. The default is 1/10,000 of A's diagonal.",
+       PositiveKind<S>{[](S& s) -> double& { return s.same_within; }}},
+      {"actions", "--actions", "Side actions", "",
+       "Compare the undercuts one by one, with their side actions", SwitchKind<S>{&S::with_actions}},
+      {"mold", "--mold", "Mold", "",
+       "Report whether A's mold survives: steel to cut and to add, and where the parting line moves. "
+       "On where --direction names a direction.",
+       SwitchKind<S>{&S::with_mold}},
+  };
   return k_options;
-}
-
-std::shared_ptr<const PartModel> in_unit_of(const std::shared_ptr<const PartModel>& a,
-                                            const std::shared_ptr<const PartModel>& b,
-                                            std::vector<std::string>& remarks, const Progress& progress) {
-  std::shared_ptr<const PartModel> converted = b;
-  const auto unit_a = find_length_unit(a->part.unit), unit_b = find_length_unit(b->part.unit);
-  if (unit_a && unit_b && unit_a->mm != unit_b->mm) {
-    Part part = b->part;
-    for (glm::dvec3& vertex : part.mesh.vertices) vertex *= unit_b->mm / unit_a->mm;
-    part.unit = a->part.unit;
-    converted = prepare_part(std::move(part), progress);
-    remarks.push_back(fmt::format("B is in {}, A in {}: B was converted", b->part.unit, a->part.unit));
-  }
-  const std::string remark = unit_remark(*a, *converted);
-  if (!remark.empty()) remarks.push_back(remark);
-  return converted;
 }
 
 Comparison prepare_comparison(const std::shared_ptr<const PartModel>& a,
@@ -231,6 +226,62 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
     compare_plans({side_a, *comparison.a.plan}, {side_b, *comparison.b.plan}, comparison);
   }
   if (settings.with_mold && query.a == query.b) compare_molds(side_a, side_b, query, comparison, progress);
+}
+
+std::string steel_owner_text(const Comparison& comparison, const SteelOwner& owner, bool is_cut) {
+  if (owner.side != MoldSide::action) return std::string(side_name(owner.side));
+  const std::optional<ActionPlan>& plan = (is_cut ? comparison.a : comparison.b).plan;
+  if (!owner.action || !plan) return "side action";
+  return fmt::format("{} {}", facts(plan->actions[*owner.action].kind).singular, *owner.action + 1);
+}
+
+std::string steel_of_text(const Comparison& comparison, const SteelChange& steel, bool is_cut) {
+  constexpr double k_least_share = 0.05;
+  double whole = 0.0;
+  for (const OwnedArea& one : steel.of) whole += one.area;
+  std::vector<std::string> names;
+  for (const OwnedArea& one : steel.of)
+    if (one.area >= k_least_share * whole) names.push_back(steel_owner_text(comparison, one.owner, is_cut));
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+std::string mold_change_text(const Comparison& comparison, const MoldChange& mold) {
+  constexpr std::size_t k_most_named = 3;
+  const FigureStyle style(*comparison.a.model);
+  const auto cuts = static_cast<std::size_t>(
+      std::ranges::count_if(mold.places, [](const PlaceSteel& one) { return one.cut.has_value(); }));
+  std::vector<std::string> added;
+  for (const PlaceSteel& place : mold.places) {
+    if (!place.add) continue;
+    added.push_back(fmt::format(
+        "{}{} {} at ({}) {}, {}", style.text(FigureKind::volume, place.add->volume.volume),
+        seen_error(place.add->volume), style.unit(FigureKind::volume), style.point(place.add->centre),
+        length_unit(comparison.a.model->part), steel_of_text(comparison, *place.add, false)));
+  }
+  std::string text = cuts == 0
+                         ? std::string("No place cuts steel")
+                         : fmt::format("{} {} steel", plural(cuts, "place"), cuts == 1 ? "cuts" : "cut");
+  if (added.empty()) {
+    text = cuts == 0 ? "No steel of the mold changes" : text + "; none needs steel";
+  } else {
+    const std::size_t named = std::min(added.size(), k_most_named), count = added.size();
+    text += fmt::format("; {} {} steel: {}", count, count == 1 ? "needs" : "need",
+                        fmt::join(added.begin(), added.begin() + static_cast<std::ptrdiff_t>(named), "; "));
+    if (named < count) text += fmt::format("; {} more", count - named);
+  }
+  text += ".";
+  if (!mold.line.fresh.empty()) {
+    const auto& fresh = mold.line.fresh;
+    const auto farthest = std::ranges::max_element(fresh, {}, &LineStretch::farthest);
+    text +=
+        fmt::format(" The parting line leaves the old one at {}, by {} at most, at ({}) {}.",
+                    plural(fresh.size(), "place"), style.with_unit(FigureKind::length, farthest->farthest),
+                    style.point(farthest->at), length_unit(comparison.a.model->part));
+  } else if (!mold.line.gone.empty()) {
+    text += fmt::format(" {} of the old parting line {}.", plural(mold.line.gone.size(), "stretch"),
+                        mold.line.gone.size() == 1 ? "goes" : "go");
+  }
+  return text;
 }
 
 std::string comparison_verdict(const Comparison& comparison) {

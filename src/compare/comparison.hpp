@@ -13,8 +13,7 @@
 #include "classify/json.hpp"
 #include "classify/option.hpp"
 #include "compare/alignment.hpp"
-#include "compare/line_change.hpp"
-#include "compare/steel_change.hpp"
+#include "compare/mold_change.hpp"
 #include "compare/surface_change.hpp"
 #include "compare/undercut_change.hpp"
 #include "study/verdict.hpp"
@@ -64,13 +63,6 @@ struct Comparison {
   std::optional<MoldChange> mold;                 // where it was asked for and both parts are closed
   std::vector<std::string> remarks;               // a sentence each
 };
-
-/// `b` in the unit of `a`, where the files of both name theirs and they differ; else `b` itself. Adds a
-/// remark where it was converted, and where the parts' sizes are as far apart as two units.
-[[nodiscard]] std::shared_ptr<const PartModel> in_unit_of(const std::shared_ptr<const PartModel>& a,
-                                                          const std::shared_ptr<const PartModel>& b,
-                                                          std::vector<std::string>& remarks,
-                                                          const Progress& progress);
 
 /// Reads nothing more of the parts: B in A's unit and, where the settings ask for it, where it lies on A.
 /// Directions are asked of what is compared, since B may be turned. Throws UsageError for a tolerance greater

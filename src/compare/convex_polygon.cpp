@@ -1,5 +1,6 @@
 #include "compare/convex_polygon.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -8,30 +9,6 @@
 namespace moldlight {
 
 namespace {
-
-double beyond(const glm::dvec3& point, const HalfSpace& half) {
-  return glm::dot(half.normal, point) - half.offset;
-}
-
-struct Parts {
-  ConvexPolygon inside, outside;
-};
-
-Parts parted(const ConvexPolygon& polygon, const HalfSpace& half, double rounding) {
-  Parts parts;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const glm::dvec3 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    const double over_a = beyond(a, half), over_b = beyond(b, half);
-    if (over_a <= rounding) parts.inside.push_back(a);
-    if (over_a >= -rounding) parts.outside.push_back(a);
-    if ((over_a < -rounding && over_b > rounding) || (over_a > rounding && over_b < -rounding)) {
-      const glm::dvec3 at = glm::mix(a, b, over_a / (over_a - over_b));
-      parts.inside.push_back(at);
-      parts.outside.push_back(at);
-    }
-  }
-  return parts;
-}
 
 /// Squared distance of two segments (Ericson, Real-Time Collision Detection, 2005, section 5.1.9).
 double squared_distance(const glm::dvec3& p, const glm::dvec3& p_end, const glm::dvec3& q,
@@ -60,6 +37,26 @@ double squared_distance(const glm::dvec3& p, const glm::dvec3& p_end, const glm:
 
 }  // namespace
 
+double beyond(const glm::dvec3& point, const HalfSpace& half) {
+  return glm::dot(half.normal, point) - half.offset;
+}
+
+PartedPolygon parted(const ConvexPolygon& polygon, const HalfSpace& half, double rounding) {
+  PartedPolygon parts;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const glm::dvec3 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    const double over_a = beyond(a, half), over_b = beyond(b, half);
+    if (over_a <= rounding) parts.inside.push_back(a);
+    if (over_a >= -rounding) parts.outside.push_back(a);
+    if ((over_a < -rounding && over_b > rounding) || (over_a > rounding && over_b < -rounding)) {
+      const glm::dvec3 at = glm::mix(a, b, over_a / (over_a - over_b));
+      parts.inside.push_back(at);
+      parts.outside.push_back(at);
+    }
+  }
+  return parts;
+}
+
 double polygon_area(const ConvexPolygon& polygon) {
   glm::dvec3 twice(0.0);
   for (std::size_t k = 2; k < polygon.size(); ++k)
@@ -79,6 +76,19 @@ glm::dvec3 polygon_centre(const ConvexPolygon& polygon) {
   }
   if (weights > 0.0) return sum / weights;
   return polygon.empty() ? of_corners : of_corners / static_cast<double>(polygon.size());
+}
+
+double reach_from(const glm::dvec3& point, const ConvexPolygon& polygon) {
+  double most = 0.0;
+  for (const glm::dvec3& corner : polygon) most = std::max(most, glm::distance(corner, point));
+  return most;
+}
+
+double distance_to_segment(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 along = b - a, way = point - a;
+  const double square = glm::dot(along, along);
+  const double share = square > 0.0 ? glm::clamp(glm::dot(way, along) / square, 0.0, 1.0) : 0.0;
+  return glm::length(way - share * along);
 }
 
 TriangleHull hull_around(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal,
@@ -120,7 +130,7 @@ ConvexPolygon cut_by(const ConvexPolygon& polygon, const TriangleHull& hull, dou
   ConvexPolygon inside = polygon;
   const std::size_t before = outside.size();
   for (const HalfSpace& half : hull) {
-    Parts parts = parted(inside, half, rounding);
+    PartedPolygon parts = parted(inside, half, rounding);
     if (parts.inside.size() < 3 || polygon_area(parts.inside) <= rounding * rounding) {
       outside.resize(before);
       outside.push_back(polygon);

@@ -14,11 +14,25 @@ using ConvexPolygon = std::vector<glm::dvec3>;
 [[nodiscard]] double polygon_area(const ConvexPolygon& polygon);
 [[nodiscard]] glm::dvec3 polygon_centre(const ConvexPolygon& polygon);  // of its area
 
+/// How far its corners reach from a point.
+[[nodiscard]] double reach_from(const glm::dvec3& point, const ConvexPolygon& polygon);
+/// From the nearest point of the segment from `a` to `b`.
+[[nodiscard]] double distance_to_segment(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b);
+
 /// Where normal · x <= offset.
 struct HalfSpace {
   glm::dvec3 normal{0.0, 0.0, 1.0};  // unit
   double offset = 0.0;
 };
+
+/// Signed distance from its plane, above 0 outside.
+[[nodiscard]] double beyond(const glm::dvec3& point, const HalfSpace& half);
+
+/// What of a polygon is inside and outside; corners within `rounding` of the plane are in both.
+struct PartedPolygon {
+  ConvexPolygon inside, outside;
+};
+[[nodiscard]] PartedPolygon parted(const ConvexPolygon& polygon, const HalfSpace& half, double rounding);
 
 /// How far around a triangle is near it: off its plane, and beyond its rim.
 struct Nearness {

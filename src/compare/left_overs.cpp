@@ -58,6 +58,53 @@ double cell_size(const std::vector<Bounds>& boxes, double least) {
   }
 }
 
+/// Calls `touch` for pairs whose rims come as near to each other as `reach` says, which is asked first and is
+/// negative for pairs that do not matter, and at most the sum of theirs; in an order that depends on the
+/// polygons alone, a pair perhaps several times. `extent` is about that of all of them. Throws Cancelled.
+void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
+                    const std::function<double(std::uint32_t, std::uint32_t)>& reach,
+                    const std::function<void(std::uint32_t, std::uint32_t)>& touch,
+                    const Progress& progress) {
+  double greatest = 0.0;
+  for (const ReachingPolygon& one : polygons) greatest = std::max(greatest, one.reach);
+  std::vector<Bounds> boxes(polygons.size());
+  for (std::uint32_t k = 0; k < polygons.size(); ++k) {
+    if (polygons[k].polygon->empty()) continue;
+    for (const glm::dvec3& corner : *polygons[k].polygon) boxes[k].add(corner);
+    boxes[k].min -= polygons[k].reach;
+    boxes[k].max += polygons[k].reach;
+  }
+  const double size = cell_size(boxes, std::max(extent / k_cells, 4.0 * greatest));
+  std::vector<InCell> places;
+  const auto cell_at = [size](double at) { return static_cast<std::int64_t>(std::floor(at / size)); };
+  for (std::uint32_t k = 0; k < polygons.size(); ++k) {
+    if (polygons[k].polygon->empty()) continue;
+    const glm::dvec3 &low = boxes[k].min, &high = boxes[k].max;
+    for (std::int64_t x = cell_at(low.x); x <= cell_at(high.x); ++x)
+      for (std::int64_t y = cell_at(low.y); y <= cell_at(high.y); ++y)
+        for (std::int64_t z = cell_at(low.z); z <= cell_at(high.z); ++z)
+          places.push_back({cell_number({x, y, z}), k});
+  }
+  std::ranges::sort(places);
+  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
+    while (last < places.size() && places[last].cell == places[first].cell) ++last;
+    const std::span here(places.data() + first, last - first);
+    std::ranges::stable_sort(here, {}, [&](const InCell& one) { return boxes[one.polygon].min.x; });
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      if (i % k_steps_between == 0)
+        progress.report("finding what changed",
+                        static_cast<double>(first) / static_cast<double>(places.size()));
+      for (std::size_t k = i + 1; k < here.size(); ++k) {
+        const std::uint32_t a = here[i].polygon, b = here[k].polygon;
+        if (boxes[b].min.x > boxes[a].max.x) break;
+        if (!overlap(boxes[a], boxes[b])) continue;
+        const double within = reach(a, b);
+        if (within >= 0.0 && rims_touch(*polygons[a].polygon, *polygons[b].polygon, within)) touch(a, b);
+      }
+    }
+  }
+}
+
 /// Share of a face's area above which all of its changes are one.
 constexpr double k_changed_face = 0.3;
 /// Of its volume, what a place may lack to be closed by itself.
@@ -112,50 +159,6 @@ std::uint32_t nearest_place(const std::vector<Bounds>& boxes, std::uint32_t plac
 
 }  // namespace
 
-void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
-                    const std::function<double(std::uint32_t, std::uint32_t)>& reach,
-                    const std::function<void(std::uint32_t, std::uint32_t)>& touch,
-                    const Progress& progress) {
-  double greatest = 0.0;
-  for (const ReachingPolygon& one : polygons) greatest = std::max(greatest, one.reach);
-  std::vector<Bounds> boxes(polygons.size());
-  for (std::uint32_t k = 0; k < polygons.size(); ++k) {
-    if (polygons[k].polygon->empty()) continue;
-    for (const glm::dvec3& corner : *polygons[k].polygon) boxes[k].add(corner);
-    boxes[k].min -= polygons[k].reach;
-    boxes[k].max += polygons[k].reach;
-  }
-  const double size = cell_size(boxes, std::max(extent / k_cells, 4.0 * greatest));
-  std::vector<InCell> places;
-  const auto cell_at = [size](double at) { return static_cast<std::int64_t>(std::floor(at / size)); };
-  for (std::uint32_t k = 0; k < polygons.size(); ++k) {
-    if (polygons[k].polygon->empty()) continue;
-    const glm::dvec3 &low = boxes[k].min, &high = boxes[k].max;
-    for (std::int64_t x = cell_at(low.x); x <= cell_at(high.x); ++x)
-      for (std::int64_t y = cell_at(low.y); y <= cell_at(high.y); ++y)
-        for (std::int64_t z = cell_at(low.z); z <= cell_at(high.z); ++z)
-          places.push_back({cell_number({x, y, z}), k});
-  }
-  std::ranges::sort(places);
-  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
-    while (last < places.size() && places[last].cell == places[first].cell) ++last;
-    const std::span here(places.data() + first, last - first);
-    std::ranges::stable_sort(here, {}, [&](const InCell& one) { return boxes[one.polygon].min.x; });
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      if (i % k_steps_between == 0)
-        progress.report("finding what changed",
-                        static_cast<double>(first) / static_cast<double>(places.size()));
-      for (std::size_t k = i + 1; k < here.size(); ++k) {
-        const std::uint32_t a = here[i].polygon, b = here[k].polygon;
-        if (boxes[b].min.x > boxes[a].max.x) break;
-        if (!overlap(boxes[a], boxes[b])) continue;
-        const double within = reach(a, b);
-        if (within >= 0.0 && rims_touch(*polygons[a].polygon, *polygons[b].polygon, within)) touch(a, b);
-      }
-    }
-  }
-}
-
 UnionFind joined_where_touching(const std::vector<ReachingPolygon>& polygons, double extent,
                                 const Progress& progress) {
   UnionFind joined(polygons.size());
@@ -203,9 +206,7 @@ void LeftOvers::add_explained(std::vector<std::uint32_t>& place_of, const Progre
 bool LeftOvers::is_rim(std::size_t k) const {
   constexpr double k_widths = 3.0;
   const ConvexPolygon& polygon = all_[k]->polygon;
-  double extent = 0.0;
-  for (const glm::dvec3& corner : polygon) extent = std::max(extent, glm::distance(corner, polygon.front()));
-  return 2.0 * all_[k]->area <= k_widths * all_[k]->explained * extent;
+  return 2.0 * all_[k]->area <= k_widths * all_[k]->explained * reach_from(polygon.front(), polygon);
 }
 
 double LeftOvers::extent() const { return std::max(a_.model().frame.diagonal, b_.model().frame.diagonal); }

@@ -1,5 +1,3 @@
-#include "compare/line_change.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,6 +8,8 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "compare/mold_change.hpp"
 
 namespace moldlight {
 
@@ -68,11 +68,7 @@ class NearestSegment {
             static_cast<std::int64_t>(cell.z)};
   }
   [[nodiscard]] double off(const glm::dvec3& point, std::uint32_t segment) const {
-    const auto& [from, to] = segments_[segment];
-    const glm::dvec3 along = to - from, way = point - from;
-    const double square = glm::dot(along, along);
-    return glm::length(way -
-                       (square > 0.0 ? glm::clamp(glm::dot(way, along) / square, 0.0, 1.0) : 0.0) * along);
+    return distance_to_segment(point, segments_[segment].from, segments_[segment].to);
   }
 
   double size_, most_;

@@ -112,8 +112,7 @@ class Laying {
   /// Gives what lies on the other part to the result, and the rest to left_.
   void lay(const ConvexPolygon& polygon, const Slack& slack, const Halvings& halvings, PieceOverlay& result) {
     const glm::dvec3 centre = polygon_centre(polygon);
-    double radius = 0.0;
-    for (const glm::dvec3& corner : polygon) radius = std::max(radius, glm::distance(corner, centre));
+    const double radius = reach_from(centre, polygon);
     const double chords = side_.chords().lateral[side_.facet(piece_)] + onto_.chords().greatest;
     // A hull's corners reach out half as far again.
     const double reach = 2.0 * (slack.base + (slack.explaining ? chords : 0.0));

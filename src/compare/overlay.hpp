@@ -8,13 +8,26 @@
 #include "base/progress.hpp"
 #include "classify/classification.hpp"
 #include "classify/part_model.hpp"
-#include "compare/chord_deviation.hpp"
 #include "compare/convex_polygon.hpp"
+#include "mesh/faces.hpp"
 #include "mold/exact_rays.hpp"
 
 namespace moldlight {
 
 using PieceIndex = std::uint32_t;
+
+/// How far a mesh may lie off the surface that it stands for, by which two tessellations of one surface
+/// differ: an estimate a facet, in the part's unit; 0 for a facet of a plane. Of a surface that bends by an
+/// angle b from facet to facet, each w wide, the chords are off by w b / 8. What bends is known from the
+/// part's faces: those of CAD, else round walls of 10 steps a turn or more.
+struct ChordDeviation {
+  std::vector<double> normal;   // off the facet's plane
+  std::vector<double> lateral;  // of its rim: the greatest of the facets around its corners
+  std::vector<double> step;     // the widest around its corners, across the bend: shadows move by that
+  std::vector<double> spread;   // tangent of half the angle to the next step
+  double greatest = 0.0;
+};
+[[nodiscard]] ChordDeviation chord_deviation(const PartModel& model, const Faces& faces);
 
 /// A part, split at the borders of its regions, with what is asked about its surface. It does not move.
 class OverlaySide {

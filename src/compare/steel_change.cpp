@@ -1,5 +1,3 @@
-#include "compare/steel_change.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
 
+#include "compare/mold_change.hpp"
 #include "compare/solid_probe.hpp"
 #include "mesh/facet_geometry.hpp"
 
@@ -41,28 +40,12 @@ Stretch stretch_in_plane(const Corners& corners, const HalfSpace& plane, const g
   Stretch stretch;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const glm::dvec3 &a = corners[k], &b = corners[(k + 1) % corners.size()];
-    const double over_a = glm::dot(plane.normal, a) - plane.offset,
-                 over_b = glm::dot(plane.normal, b) - plane.offset;
+    const double over_a = beyond(a, plane), over_b = beyond(b, plane);
     if (std::abs(over_a) <= rounding) stretch.add(glm::dot(along, a));
     if ((over_a > rounding && over_b < -rounding) || (over_a < -rounding && over_b > rounding))
       stretch.add(glm::dot(along, glm::mix(a, b, over_a / (over_a - over_b))));
   }
   return stretch;
-}
-
-/// Both sides of the plane.
-std::array<ConvexPolygon, 2> split_by(const ConvexPolygon& polygon, const HalfSpace& plane, double rounding) {
-  std::array<ConvexPolygon, 2> parts;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const glm::dvec3 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    const double over_a = glm::dot(plane.normal, a) - plane.offset,
-                 over_b = glm::dot(plane.normal, b) - plane.offset;
-    if (over_a <= rounding) parts[0].push_back(a);
-    if (over_a >= -rounding) parts[1].push_back(a);
-    if ((over_a > rounding && over_b < -rounding) || (over_a < -rounding && over_b > rounding))
-      for (ConvexPolygon& part : parts) part.push_back(glm::mix(a, b, over_a / (over_a - over_b)));
-  }
-  return parts;
 }
 
 /// Cuts the bits of one facet where another triangle crosses or touches them.
@@ -77,7 +60,7 @@ void cut_by(std::vector<ConvexPolygon>& bits, const HalfSpace& own, const Triang
   for (std::size_t k = 0, count = bits.size(); k < count; ++k) {
     const Stretch ours = stretch_in_plane(bits[k], plane, along, rounding);
     if (std::min(ours.to, theirs.to) - std::max(ours.from, theirs.from) <= rounding) continue;
-    auto [below, above] = split_by(bits[k], plane, rounding);
+    auto [below, above] = parted(bits[k], plane, rounding);
     if (polygon_area(below) <= rounding * rounding || polygon_area(above) <= rounding * rounding) continue;
     bits[k] = std::move(below);
     bits.push_back(std::move(above));
@@ -90,9 +73,7 @@ double distance_in_plane(const glm::dvec3& point, const ConvexPolygon& polygon, 
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const glm::dvec3 &a = polygon[k], along = polygon[(k + 1) % polygon.size()] - a, to = point - a;
     inside = inside && glm::dot(glm::cross(along, to), normal) >= 0.0;
-    const double square = glm::dot(along, along);
-    const double share = square > 0.0 ? glm::clamp(glm::dot(along, to) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, glm::length(to - share * along));
+    least = std::min(least, distance_to_segment(point, a, polygon[(k + 1) % polygon.size()]));
   }
   return inside ? 0.0 : least;
 }
@@ -173,9 +154,7 @@ class BitFinder {
 
   void cut(std::vector<ConvexPolygon>& polygons, const HalfSpace& plane) const {
     const glm::dvec3 centre = polygon_centre(polygons.front());
-    double radius = 0.0;
-    for (const glm::dvec3& corner : polygons.front())
-      radius = std::max(radius, glm::distance(corner, centre));
+    const double radius = reach_from(centre, polygons.front());
     std::vector<FacetIndex> near;
     visit_pieces(other_.side, centre, radius + beside_,
                  [&](PieceIndex piece) { near.push_back(other_.side.facet(piece)); });

@@ -1,10 +1,8 @@
 // Steel to cut and to add by formulas: what came and what went, each for itself, and who has the steel.
-#include "compare/steel_change.hpp"
-
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
-#include "compare/line_change.hpp"
+#include "compare/mold_change.hpp"
 #include "mesh/health.hpp"
 #include "unit/compare/revisions.hpp"
 

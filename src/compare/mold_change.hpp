@@ -1,5 +1,5 @@
 // What a revision asks of the mold that exists: steel to cut where the part grows, steel to add where it
-// shrinks, by place, with who has it.
+// shrinks, by place, with who has it; and where its parting line leaves that of this mold.
 #pragma once
 
 #include <compare>
@@ -10,6 +10,7 @@
 #include "actions/side_action.hpp"
 #include "compare/surface_change.hpp"
 #include "parting/assignment.hpp"
+#include "parting/loops.hpp"
 
 namespace moldlight {
 
@@ -51,5 +52,21 @@ struct MoldedSide {
 /// Cancelled.
 [[nodiscard]] std::vector<PlaceSteel> find_steel(const MoldedSide& a, const MoldedSide& b,
                                                  const SurfaceChange& change, const Progress& progress);
+
+/// A run of one line that is off the other. Lengths are in the part's unit.
+struct LineStretch {
+  double length = 0.0;
+  double farthest = 0.0;  // from the other line; the part's diagonal where there is none
+  glm::dvec3 at{0.0};     // where it is farthest
+};
+
+struct LineChange {
+  double within = 0.0;                   // nearer than this it is the same line
+  std::vector<LineStretch> fresh, gone;  // of B's line off A's, and of A's off B's; the longest first
+};
+
+/// Of what core and cavity meet in; `within` > 0.
+[[nodiscard]] LineChange find_line_change(const PartingLine& a, const PartingLine& b, double within,
+                                          double diagonal);
 
 }  // namespace moldlight
