@@ -12,7 +12,6 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "classify/number_format.hpp"
-#include "classify/view_choice.hpp"
 #include "gl/objects.hpp"
 #include "mold/direction.hpp"
 #include "mold/exact/exact_regions.hpp"

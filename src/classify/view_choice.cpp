@@ -1,5 +1,3 @@
-#include "classify/view_choice.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "classify/map_comparison.hpp"
+#include "classify/still_picture.hpp"
 #include "render/camera.hpp"
 
 namespace moldlight {

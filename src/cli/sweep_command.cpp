@@ -21,8 +21,8 @@
 #include "io/csv_tables.hpp"
 #include "study/study.hpp"
 #include "sweep/direction_figures.hpp"
+#include "sweep/sweep_clock.hpp"
 #include "sweep/sweep_pictures.hpp"
-#include "sweep/sweep_stages.hpp"
 
 namespace moldlight::cli {
 

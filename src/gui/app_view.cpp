@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "classify/view_choice.hpp"
+#include "classify/still_picture.hpp"
 #include "gl/program.hpp"
 #include "gui/app.hpp"
 #include "gui/view/mold_view.hpp"

@@ -8,7 +8,7 @@
 #include "base/numbers.hpp"
 #include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
-#include "classify/view_choice.hpp"
+#include "classify/still_picture.hpp"
 #include "gui/app.hpp"
 #include "gui/jobs/batch_table.hpp"
 #include "gui/jobs/study_finder.hpp"

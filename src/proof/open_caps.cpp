@@ -1,5 +1,3 @@
-#include "proof/open_caps.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 
 #include "mesh/union_find.hpp"
 #include "mold/direction.hpp"
+#include "proof/direction_proof.hpp"
 
 namespace moldlight {
 

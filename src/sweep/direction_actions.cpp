@@ -88,16 +88,17 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
 }
 
 std::vector<std::optional<DirectionActions>> DirectionActionFinder::find(
-    std::span<const glm::dvec3> directions, std::span<const ActionLimit> limits, const Progress& progress,
-    const std::function<bool()>& stop, const std::function<void()>& done, PlanDetail detail) {
+    std::span<const glm::dvec3> directions, std::span<const ActionLimit> limits, const SweepClock& clock,
+    PlanDetail detail, const std::function<void()>& done) {
   std::vector<std::optional<DirectionActions>> found(directions.size());
   const std::size_t facets = std::max<std::size_t>(1, model_.part.mesh.facets.size());
   const std::size_t together =
       std::clamp<std::size_t>(k_most_facets_together / facets, 1, static_cast<std::size_t>(jobs_));
+  const Progress progress = clock.until_cancelled();
   std::size_t next = 0;
   const auto begin = tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
                                                          [&](tbb::flow_control& control) -> std::size_t {
-                                                           if (next == directions.size() || stop()) {
+                                                           if (next == directions.size() || clock.stopped()) {
                                                              control.stop();
                                                              return 0;
                                                            }

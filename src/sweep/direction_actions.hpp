@@ -16,6 +16,7 @@
 #include "base/progress.hpp"
 #include "classify/part_model.hpp"
 #include "sweep/arena_threads.hpp"
+#include "sweep/sweep_clock.hpp"
 
 namespace moldlight {
 
@@ -61,15 +62,12 @@ class DirectionActionFinder {
                         int jobs)
       : model_(model), method_(method), settings_(settings), jobs_(jobs), arena_(arena_threads(jobs)) {}
 
-  /// In the order of the directions, whatever the number of threads; nothing for what is not begun when
-  /// `stop` says so, and for what `progress` cancels. `done` is called after each, from any thread. `limits`:
-  /// of each, or none. Bodies are moved where the detail is `whole`.
-  [[nodiscard]] std::vector<std::optional<DirectionActions>> find(std::span<const glm::dvec3> directions,
-                                                                  std::span<const ActionLimit> limits,
-                                                                  const Progress& progress,
-                                                                  const std::function<bool()>& stop,
-                                                                  const std::function<void()>& done,
-                                                                  PlanDetail detail = PlanDetail::rank);
+  /// In the order of the directions, whatever the number of threads; nothing for what the clock stops before
+  /// it is begun, or cancels. `done` is called after each, from any thread. `limits`: of each, or none.
+  /// Bodies are moved where the detail is `whole`.
+  [[nodiscard]] std::vector<std::optional<DirectionActions>> find(
+      std::span<const glm::dvec3> directions, std::span<const ActionLimit> limits, const SweepClock& clock,
+      PlanDetail detail = PlanDetail::rank, const std::function<void()>& done = [] {});
 
  private:
   [[nodiscard]] std::optional<DirectionActions> find_one(const glm::dvec3& direction,

@@ -103,16 +103,11 @@ RankedFigures DirectionRating::scored(const Candidate& candidate, const Directio
 }
 
 RankedFigures DirectionRating::measured(const Candidate& candidate, const MeasuredDirection& measured,
+                                        const std::optional<DirectionActions>& actions,
                                         bool with_undercuts) const {
   DirectionFacts found = facts(measured.classification, &measured);
   if (!with_undercuts) found.undercuts.reset();
-  return ranked(candidate, found, measured.classification.uncertainty.rounding);
-}
-
-RankedFigures DirectionRating::measured(const Candidate& candidate, const MeasuredDirection& measured,
-                                        const DirectionActions& actions) const {
-  DirectionFacts found = facts(measured.classification, &measured);
-  found.actions = &actions;
+  if (actions) found.actions = &*actions;
   return ranked(candidate, found, measured.classification.uncertainty.rounding);
 }
 

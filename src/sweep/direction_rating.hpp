@@ -21,13 +21,11 @@ class DirectionRating {
 
   /// Figures by a score; undercuts are not known yet and count as none.
   [[nodiscard]] RankedFigures scored(const Candidate& candidate, const DirectionScore& score) const;
-  /// Figures as measured; for comparing them with scored ones without the undercuts. What a faulty mesh
-  /// leaves in doubt makes no ties: it is about the same for all.
+  /// Figures as measured, with side actions where they are known; for comparing them with scored ones without
+  /// the undercuts. What a faulty mesh leaves in doubt makes no ties: it is about the same for all.
   [[nodiscard]] RankedFigures measured(const Candidate& candidate, const MeasuredDirection& measured,
+                                       const std::optional<DirectionActions>& actions = {},
                                        bool with_undercuts = true) const;
-  /// The same with side actions.
-  [[nodiscard]] RankedFigures measured(const Candidate& candidate, const MeasuredDirection& measured,
-                                       const DirectionActions& actions) const;
 
   [[nodiscard]] Ranking rank(std::span<const RankedFigures> figures) const {
     return rank_directions(figures, measure_);

@@ -4,8 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "sweep/basin_search.hpp"
-#include "sweep/sweep_stages.hpp"
+#include "sweep/sweep_clock.hpp"
 
 namespace moldlight {
 
@@ -72,12 +71,8 @@ void DirectionSearch::note(const EvaluatedDirection& evaluated) {
 }
 
 void DirectionSearch::refine() {
-  const BasinSearch search{.rating = tools_.rating,
-                           .rays = tools_.pools.rays(),
-                           .clock = tools_.clock,
-                           .evaluated = [this](const EvaluatedDirection& evaluated) { note(evaluated); }};
-  std::vector<Contender> found =
-      refine_basins(search, contenders_, contender_order(), static_cast<std::size_t>(tools_.settings.refine));
+  std::vector<Contender> found = refine_basins(descent(), contenders_, contender_order(),
+                                               static_cast<std::size_t>(tools_.settings.refine));
   for (Contender& contender : found) {
     limit_.add(contender.candidate.direction, contender.score.pessimistic());
     contenders_.push_back(std::move(contender));
@@ -201,7 +196,7 @@ bool DirectionSearch::may_gain(const Contender& found) const {
   });
 }
 
-Polishing DirectionSearch::polishing() {
+Descent DirectionSearch::descent() {
   return {.model = tools_.model,
           .rating = tools_.rating,
           .rays = tools_.pools.rays(),
@@ -211,13 +206,13 @@ Polishing DirectionSearch::polishing() {
 }
 
 void DirectionSearch::polish_best() {
-  const Polishing polishing = this->polishing();
+  const Descent descent = this->descent();
   const std::vector<std::size_t> chosen = contenders_to_polish();
   for (std::size_t k = 0; k < chosen.size() && !tools_.clock.stopped(); ++k) {
     tools_.clock.report(sweep_stage::k_polishing,
                         static_cast<double>(k) / static_cast<double>(chosen.size()));
     Contender& start = contenders_[chosen[k]];
-    std::optional<Contender> better = polish(polishing, start);
+    std::optional<Contender> better = polish(descent, start);
     if (!better) continue;
     // A direction with other sources stands beside the one that it was found from.
     if (better->candidate.kind() == start.candidate.kind()) {

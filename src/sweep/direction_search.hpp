@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "sweep/contender.hpp"
+#include "sweep/descent.hpp"
 #include "sweep/listing.hpp"
-#include "sweep/polish.hpp"
 #include "sweep/sweep_result.hpp"
 #include "sweep/sweep_tools.hpp"
 
@@ -45,7 +45,7 @@ class DirectionSearch {
   /// listed.
   void measure_contenders();
   void polish_best();
-  [[nodiscard]] Polishing polishing();
+  [[nodiscard]] Descent descent();
   /// Best first, indices into the contenders.
   [[nodiscard]] std::vector<std::size_t> contender_order() const;
 

@@ -8,8 +8,7 @@
 #include "base/error.hpp"
 #include "mold/measure.hpp"
 #include "sweep/axis_beside.hpp"
-#include "sweep/sweep_stages.hpp"
-#include "sweep/sweep_texts.hpp"
+#include "sweep/sweep_clock.hpp"
 #include "sweep/tilt_margin.hpp"
 
 namespace moldlight {
@@ -43,14 +42,16 @@ SweepCandidate listed_candidate(const SweepTools& tools, const Contender& conten
   return listed;
 }
 
-std::vector<std::optional<TiltMargin>> tilts_of(SweepTools& tools, std::span<const Contender> listed) {
-  std::vector<glm::dvec3> directions;
-  for (const Contender& contender : listed) directions.push_back(contender.candidate.direction);
-  return tilt_margins({.pools = tools.pools,
-                       .clock = tools.clock,
-                       .growth = tools.settings.tilt_growth_pct * 0.01 * tools.model.geometry.total_area,
-                       .jobs = ScoringPool::threads(tools.settings.jobs)},
-                      directions);
+/// Gives them their ranks, and every tie group of more than one direction its letter, in order.
+void number(std::vector<SweepCandidate>& candidates) {
+  for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k].rank = k + 1;
+  char letter = 'a';
+  for (std::size_t first = 0, end = 0; first < candidates.size(); first = end) {
+    while (end < candidates.size() && candidates[end].tie_group == candidates[first].tie_group) ++end;
+    if (end - first < 2) continue;
+    for (std::size_t k = first; k < end; ++k) candidates[k].tie = letter;
+    letter = letter == 'z' ? 'a' : static_cast<char>(letter + 1);
+  }
 }
 
 /// Of every measured contender what is not known yet, as far as there is time.
@@ -78,7 +79,7 @@ std::vector<SweepCandidate> listed_by_objective(SweepTools& tools, std::vector<C
   for (const Contender& contender : listed) {
     figures.push_back(all_measured || !contender.measured
                           ? contender.figures
-                          : tools.rating.measured(contender.candidate, *contender.measured, false));
+                          : tools.rating.measured(contender.candidate, *contender.measured, {}, false));
   }
   // Ties are decided by what is known of all.
   if (!std::ranges::all_of(listed, [](const Contender& c) { return c.actions.has_value(); })) {
@@ -88,16 +89,14 @@ std::vector<SweepCandidate> listed_by_objective(SweepTools& tools, std::vector<C
     for (RankedFigures& each : figures) each.undercuts = 0.0;
   }
   const Ranking ranking = tools.rating.rank(figures);
-  const std::vector<std::optional<TiltMargin>> tilts = tilts_of(tools, listed);
+  const std::vector<std::optional<TiltMargin>> tilts = tilt_margins(tools, listed);
   std::vector<SweepCandidate> candidates;
   for (const std::size_t i : ranking.order) {
-    SweepCandidate candidate = listed_candidate(tools, listed[i], tilts[i]);
-    candidate.rank = candidates.size() + 1;
+    SweepCandidate& candidate = candidates.emplace_back(listed_candidate(tools, listed[i], tilts[i]));
     candidate.tie_group = ranking.tie_group[i] + 1;
     candidate.pareto = ranking.pareto[i];
-    candidates.push_back(std::move(candidate));
   }
-  mark_ties(candidates);
+  number(candidates);
   return candidates;
 }
 
@@ -107,18 +106,18 @@ std::vector<SweepCandidate> listed_as_molds(SweepTools& tools, MoldRanking::List
   for (const Contender& contender : listed.contenders) figures.push_back(contender.figures);
   const Ranking pareto = tools.rating.rank(figures);
   const std::vector<std::optional<TiltMargin>> tilts =
-      with_tilts ? tilts_of(tools, listed.contenders)
+      with_tilts ? tilt_margins(tools, listed.contenders)
                  : std::vector<std::optional<TiltMargin>>(listed.contenders.size());
   std::vector<SweepCandidate> candidates;
   for (std::size_t k = 0; k < listed.contenders.size(); ++k) {
-    SweepCandidate candidate = listed_candidate(tools, listed.contenders[k], tilts[k]);
-    candidate.rank = k + 1;
-    candidate.tie_group = k == 0 ? 1 : candidates.back().tie_group + (listed.ties[k] ? 0 : 1);
+    const std::size_t group = k == 0 ? 1 : candidates.back().tie_group + (listed.ties[k] ? 0 : 1);
+    SweepCandidate& candidate =
+        candidates.emplace_back(listed_candidate(tools, listed.contenders[k], tilts[k]));
+    candidate.tie_group = group;
     candidate.pareto = pareto.pareto[k];
     candidate.rank_reasons = std::move(listed.reasons[k]);
-    candidates.push_back(std::move(candidate));
   }
-  mark_ties(candidates);
+  number(candidates);
   return candidates;
 }
 

@@ -8,9 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "mold/direction.hpp"
-#include "sweep/core_side.hpp"
-#include "sweep/sweep_stages.hpp"
-#include "sweep/sweep_texts.hpp"
+#include "sweep/sweep_clock.hpp"
 
 namespace moldlight {
 
@@ -48,9 +46,9 @@ MoldCost mold_cost(const PartModel& model, const Classification& regions, const 
 }
 
 MoldCost MoldRanking::cost(const Contender& contender) const {
-  MoldCost cost =
-      mold_cost(model_, contender.measured->classification, *contender.actions, *contender.measured->parting);
-  cost.of(MoldCriterion::depth) = contender.figures.draw_depth / model_.frame.diagonal;
+  MoldCost cost = mold_cost(tools_.model, contender.measured->classification, *contender.actions,
+                            *contender.measured->parting);
+  cost.of(MoldCriterion::depth) = contender.figures.draw_depth / tools_.model.frame.diagonal;
   cost.canonical = contender.canonical();
   if (cost.canonical) {
     cost.of(MoldCriterion::support) -= contender.candidate.canonical->share;
@@ -61,7 +59,7 @@ MoldCost MoldRanking::cost(const Contender& contender) const {
 }
 
 ActionLimit MoldRanking::limit(const Contender& contender) const {
-  const double area = std::max(model_.geometry.total_area, std::numeric_limits<double>::min());
+  const double area = std::max(tools_.model.geometry.total_area, std::numeric_limits<double>::min());
   const Classification& known = contender.measured->classification;
   const double without_draft = (known.near_vertical_area + known.reverse_draft.area) / area;
   const double left = std::isfinite(least_left_) ? least_left_ : 0.0;
@@ -74,7 +72,7 @@ ActionLimit MoldRanking::limit(const Contender& contender) const {
                     .per_area = k_effort_of_formed / area,
                     .left = left * area,
                     .left_band = band * area,
-                    .worth = 0.01 * settings_.worth_pct * area,
+                    .worth = 0.01 * tools_.settings.worth_pct * area,
                     .roughly = best_alone_ && std::isfinite(least_effort_)};
   if (contender.candidate.from_user()) return limit;
   // What is found beside it is listed for fewer side actions alone.
@@ -91,8 +89,9 @@ void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
   for (Contender& contender : contenders) {
     if (contender.measured && !contender.cost) open.push_back(&contender);
   }
-  for (std::size_t first = 0; first < open.size() && !clock_.stopped();) {
-    clock_.report(sweep_stage::k_actions, static_cast<double>(first) / static_cast<double>(open.size()));
+  for (std::size_t first = 0; first < open.size() && !tools_.clock.stopped();) {
+    tools_.clock.report(sweep_stage::k_actions,
+                        static_cast<double>(first) / static_cast<double>(open.size()));
     // The first sets a limit for others, but where it leaves something unreleased.
     const std::size_t together = std::isfinite(least_effort_) || first > 0 ? k_together : 1;
     const auto batch = std::span(open).subspan(first, std::min(together, open.size() - first));
@@ -104,8 +103,7 @@ void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
       limits.push_back(limit(*contender));
     }
     if (to_the_end) limits.clear();
-    const auto found = actions_.find(
-        directions, limits, clock_.until_cancelled(), [this] { return clock_.stopped(); }, [] {});
+    const auto found = tools_.actions.find(directions, limits, tools_.clock);
     std::vector<Contender*> looked_at;
     std::vector<std::shared_ptr<MeasuredDirection>> with_line;
     std::vector<MeasuredDirection*> lines;
@@ -118,12 +116,12 @@ void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
       with_line.back()->undercuts = found[k]->undercuts;
       lines.push_back(with_line.back().get());
     }
-    measurer_.find_lines(lines, clock_.until_cancelled());
+    tools_.measurer.find_lines(lines, tools_.clock.until_cancelled());
     for (std::size_t k = 0; k < looked_at.size(); ++k) {
       if (!with_line[k]->parting) continue;
       Contender& contender = *looked_at[k];
       contender.measured = with_line[k];
-      contender.figures = rating_.measured(contender.candidate, *contender.measured, *contender.actions);
+      contender.figures = tools_.rating.measured(contender.candidate, *contender.measured, contender.actions);
       contender.cost = cost(contender);
       take_down(contender);
     }
@@ -162,11 +160,11 @@ bool MoldRanking::found_leads(std::span<const Contender> named, std::span<const 
 bool MoldRanking::is_worth(const Contender& found, const Contender& canonical) const {
   const double angle = angle_deg(found, canonical);
   MoldCost least = *canonical.cost;
-  if (angle <= settings_.method.tau_deg && found.cost->weight > 0.0) least.weight = least.in_vain = 0.0;
+  if (angle <= tools_.settings.method.tau_deg && found.cost->weight > 0.0) least.weight = least.in_vain = 0.0;
   if (!costs_no_more(least, *found.cost)) return true;
   if (angle <= k_same_place_deg) return false;
   const double saved = canonical.cost->of(MoldCriterion::undercut) - found.cost->of(MoldCriterion::undercut);
-  return saved > 0.01 * settings_.worth_pct ||
+  return saved > 0.01 * tools_.settings.worth_pct ||
          (found.actions->undercuts.count == 0 && canonical.actions->undercuts.count > 0);
 }
 
@@ -243,8 +241,8 @@ MoldRanking::Listed MoldRanking::listed(std::vector<Contender> contenders) const
       continue;
     }
     const auto near = std::ranges::find_if(
-        kept, [&](std::size_t k) { return angle_deg(ordered[k], contender) <= settings_.apart_deg; });
-    const bool room = kept.size() < static_cast<std::size_t>(settings_.top) && near == kept.end();
+        kept, [&](std::size_t k) { return angle_deg(ordered[k], contender) <= tools_.settings.apart_deg; });
+    const bool room = kept.size() < static_cast<std::size_t>(tools_.settings.top) && near == kept.end();
     if (room || contender.candidate.from_user()) kept.push_back(i);
   }
   Listed list;
@@ -262,16 +260,15 @@ MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, st
     const auto open = std::ranges::find_if(leading, is_open);
     if (open == leading.end() || (looked_at >= most + k_most_overtaken && open != leading.begin()))
       return list;
-    const auto found = actions_.find(
-        std::array{open->candidate.direction}, {}, clock_.until_cancelled(),
-        [this] { return clock_.stopped(); }, [] {}, PlanDetail::whole);
+    const auto found =
+        tools_.actions.find(std::array{open->candidate.direction}, {}, tools_.clock, PlanDetail::whole);
     if (!found.front()) return list;
     Contender& contender = *std::ranges::find_if(contenders, [&](const Contender& each) {
       return is_open(each) && each.candidate.direction == open->candidate.direction;
     });
     contender.whole = true;
     contender.actions = found.front();
-    contender.figures = rating_.measured(contender.candidate, *contender.measured, *contender.actions);
+    contender.figures = tools_.rating.measured(contender.candidate, *contender.measured, contender.actions);
     contender.cost = cost(contender);
   }
 }
@@ -290,7 +287,7 @@ void MoldRanking::put(Listed& list, std::vector<Contender>& contenders, std::siz
   if (!contender.cost) {
     reasons = {contender.actions
                    ? fmt::format("needs side actions for {:.2g} % of the surface",
-                                 100.0 * contender.actions->formed_area / model_.geometry.total_area)
+                                 100.0 * contender.actions->formed_area / tools_.model.geometry.total_area)
                    : "its side actions were not sought"};
     contender.actions.reset();
   } else if (!list.contenders.empty() && list.contenders.back().cost) {
@@ -301,24 +298,6 @@ void MoldRanking::put(Listed& list, std::vector<Contender>& contenders, std::siz
   list.contenders.push_back(std::move(contender));
   list.ties.push_back(ties);
   list.reasons.push_back(std::move(reasons));
-}
-
-Recommendation recommendation(const PartModel& model, const MethodSettings& method,
-                              std::span<const SweepCandidate> candidates, const Progress& progress) {
-  const SweepCandidate& best = candidates.front();
-  const CoreSide core = core_side(model, {best.candidate.direction, method}, progress);
-  Recommendation found{.direction = (core.along ? best.candidate.direction : -best.candidate.direction) + 0.0,
-                       .why = mold_text(model, best),
-                       .beside = best.beside};
-  if (found.why.empty()) found.why = "its side actions were not sought";
-  found.name = direction_words(found.direction);
-  if (best.candidate.canonical && !nearest_axis(found.direction).is_met())
-    found.name = best.candidate.canonical->name;
-  if (candidates.size() > 1 && !candidates[1].rank_reasons.empty())
-    found.why += fmt::format("; the next, {}, {}", direction_words(candidates[1].candidate.direction),
-                             candidates[1].rank_reasons.front());
-  found.why += "; " + core.why;
-  return found;
 }
 
 }  // namespace moldlight

@@ -7,10 +7,7 @@
 #include <vector>
 
 #include "sweep/contender.hpp"
-#include "sweep/direction_actions.hpp"
-#include "sweep/direction_measurer.hpp"
-#include "sweep/direction_rating.hpp"
-#include "sweep/sweep_clock.hpp"
+#include "sweep/sweep_tools.hpp"
 
 namespace moldlight {
 
@@ -21,15 +18,8 @@ namespace moldlight {
 
 class MoldRanking {
  public:
-  /// All must outlive it.
-  MoldRanking(const PartModel& model, const SweepSettings& settings, const DirectionRating& rating,
-              const SweepClock& clock, DirectionMeasurer& measurer, DirectionActionFinder& actions)
-      : model_(model),
-        settings_(settings),
-        rating_(rating),
-        clock_(clock),
-        measurer_(measurer),
-        actions_(actions) {}
+  /// The tools must outlive it.
+  explicit MoldRanking(SweepTools& tools) : tools_(tools) {}
 
   /// What is not likely to be the best need have no cost.
   void seek_best_alone() { best_alone_ = true; }
@@ -76,12 +66,7 @@ class MoldRanking {
   [[nodiscard]] const Contender* stands_for(const std::vector<Contender>& contenders,
                                             const Contender& found) const;
 
-  const PartModel& model_;
-  const SweepSettings& settings_;
-  const DirectionRating& rating_;
-  const SweepClock& clock_;
-  DirectionMeasurer& measurer_;
-  DirectionActionFinder& actions_;
+  SweepTools& tools_;
   /// Of the best so far: what it leaves unreleased, share of the surface, and the least effort of those that
   /// leave no more, but for what ties.
   double least_left_ = std::numeric_limits<double>::infinity();
@@ -89,10 +74,5 @@ class MoldRanking {
   std::vector<Released> released_;
   bool free_ = false, best_alone_ = false;
 };
-
-/// The first of them, which side of it is the core, and why. Throws Cancelled.
-[[nodiscard]] Recommendation recommendation(const PartModel& model, const MethodSettings& method,
-                                            std::span<const SweepCandidate> candidates,
-                                            const Progress& progress);
 
 }  // namespace moldlight

@@ -1,7 +1,8 @@
 #include "sweep/proving.hpp"
 
 #include <algorithm>
-#include <array>
+#include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,9 +11,9 @@
 #include <tbb/task_arena.h>
 
 #include "base/error.hpp"
-#include "mold/direction.hpp"
+#include "mold/surface_samples.hpp"
 #include "sweep/arena_threads.hpp"
-#include "sweep/sweep_stages.hpp"
+#include "sweep/sweep_clock.hpp"
 
 namespace moldlight {
 
@@ -21,6 +22,13 @@ namespace {
 // Better directions that a proof leads to are followed, and it begins anew, so many times at most.
 constexpr int k_most_proof_rounds = 3;
 constexpr std::size_t k_most_open_tried = 16, k_most_caps_measured = 200;
+
+/// Longest side of the pieces that a proof by area begins with, unit frame, and how many there may be.
+constexpr double k_longest_piece = 0.1;
+constexpr std::size_t k_most_pieces = 400'000;
+/// Points that show a proof by area where to look.
+constexpr int k_guides = 20'000;
+constexpr double k_level_95 = 2.0;  // standard errors
 
 std::optional<double> least_undercut(std::span<const Contender> contenders) {
   std::optional<double> least;
@@ -33,16 +41,15 @@ std::optional<double> least_undercut(std::span<const Contender> contenders) {
 
 class Prover {
  public:
-  Prover(const Proving& proving, std::vector<Contender>& contenders)
-      : clock_(proving.polishing.clock, proving.settings.proof_limit_s),
-        with_{.model = proving.polishing.model,
-              .rating = proving.polishing.rating,
-              .rays = proving.polishing.rays,
-              .measurer = proving.polishing.measurer,
+  Prover(const Descent& descent, const SweepSettings& settings, std::vector<Contender>& contenders)
+      : clock_(descent.clock, settings.proof_limit_s),
+        with_{.model = descent.model,
+              .rating = descent.rating,
+              .rays = descent.rays,
+              .measurer = descent.measurer,
               .clock = clock_,
-              .evaluated = proving.polishing.evaluated},
-        settings_(proving.settings),
-        jobs_(proving.jobs),
+              .evaluated = descent.evaluated},
+        settings_(settings),
         contenders_(contenders) {}
 
   /// Keeps the last proof that came to its end.
@@ -50,6 +57,7 @@ class Prover {
   void prove_all_free(std::optional<SweepProof>& proof) const;
 
  private:
+  [[nodiscard]] std::vector<SurfaceElement> points(const ProofPart& part, int count) const;
   [[nodiscard]] SweepProof prove_above(double bound, ProofGrade grade) const;
   [[nodiscard]] bool found_better(const SweepProof& proof);
   [[nodiscard]] std::vector<Contender> looked_at(const SweepProof& proof) const;
@@ -61,9 +69,8 @@ class Prover {
   [[nodiscard]] double area(double pct) const { return 0.01 * pct * with_.model.geometry.total_area; }
 
   const SweepClock clock_;  // all proofs together end by it
-  const Polishing with_;
+  const Descent with_;
   const SweepSettings& settings_;
-  const int jobs_;
   std::vector<Contender>& contenders_;
 };
 
@@ -93,13 +100,49 @@ void Prover::prove_all_free(std::optional<SweepProof>& proof) const {
   }
 }
 
+std::vector<SurfaceElement> Prover::points(const ProofPart& part, int count) const {
+  const PartModel& model = with_.model;
+  return sample_elements(part, sample_surface_evenly(model.part.mesh, model.geometry, model.frame,
+                                                     static_cast<std::uint64_t>(count)));
+}
+
+/// With the settings' scoring samples, tau and lateral tolerance.
 SweepProof Prover::prove_above(double bound, ProofGrade grade) const {
-  const ProofRun run{.grade = grade,
-                     .bound = bound,
-                     .stop = [this] { return clock_.stopped(); },
-                     .progress = [this](double open) { clock_.report(sweep_stage::k_proving, 1.0 - open); }};
-  tbb::task_arena arena(arena_threads(jobs_));
-  return arena.execute([&] { return prove(with_.model, settings_, run, clock_.until_cancelled()); });
+  const auto start = std::chrono::steady_clock::now();
+  const PartModel& model = with_.model;
+  const MethodSettings& method = settings_.method;
+  const double diagonal = model.frame.diagonal, total = model.geometry.total_area;
+  ProofTask task{
+      .query = {.tau_deg = method.tau_deg, .lateral = lateral_tolerance(method, diagonal) / diagonal},
+      .bound = bound,
+      .stop = [this] { return clock_.stopped(); },
+      .progress = [this](double open) { clock_.report(sweep_stage::k_proving, 1.0 - open); }};
+  tbb::task_arena arena(arena_threads(ScoringPool::threads(settings_.jobs)));
+  DirectionProof found = arena.execute([&] {
+    const ProofPart part{.mesh = model.part.mesh,
+                         .geometry = model.geometry,
+                         .adjacency = model.adjacency,
+                         .positions = model.exact(clock_.until_cancelled()).positions(),
+                         .rays = model.rays()};
+    if (grade == ProofGrade::samples)
+      return prove_directions(part, points(part, settings_.scoring_samples), task);
+    return prove_directions(
+        part, surface_pieces(part, k_longest_piece, k_most_pieces, points(part, k_guides)), task);
+  });
+  SweepProof proof;
+  proof.grade = grade;
+  proof.bound = bound;
+  proof.proved_share = std::min(found.proved_share, 1.0);
+  if (grade == ProofGrade::samples && total > 0.0) {
+    const double share = std::clamp(bound / total, 0.0, 1.0);
+    proof.bound_error = k_level_95 * total * std::sqrt(share * (1.0 - share) / settings_.scoring_samples);
+  }
+  for (const DirectionCap& cap : open_caps(found.cells)) proof.open.push_back({cap});
+  proof.looked_at = found.looked_at;
+  proof.complete = found.complete;
+  proof.cells = std::move(found.cells);
+  proof.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return proof;
 }
 
 /// Directions in the middle of what is open, where nothing was measured nearby, by their scores.
@@ -145,12 +188,13 @@ bool Prover::found_better(const SweepProof& proof) {
 
 }  // namespace
 
-void prove_sweep(const Proving& proving, std::vector<Contender>& contenders, SweepResult& result) {
-  if (!least_undercut(contenders) || proving.polishing.clock.stopped()) return;
-  Prover prover(proving, contenders);
+void prove_sweep(const Descent& descent, const SweepSettings& settings, std::vector<Contender>& contenders,
+                 SweepResult& result) {
+  if (!least_undercut(contenders) || descent.clock.stopped()) return;
+  Prover prover(descent, settings, contenders);
   try {
-    if (proving.settings.prove_pct) prover.prove_best(result.proof);
-    if (proving.settings.all_free_pct) prover.prove_all_free(result.all_free);
+    if (settings.prove_pct) prover.prove_best(result.proof);
+    if (settings.all_free_pct) prover.prove_all_free(result.all_free);
   } catch (const Cancelled&) {
     return;
   }

@@ -1,5 +1,4 @@
-#include "sweep/remarks.hpp"
-
+// The remarks of a sweep.
 #include <algorithm>
 #include <cmath>
 
@@ -47,8 +46,8 @@ std::string on_undercut(const PartModel& model, const SweepCandidate& best, bool
 
 /// The first direction that does not tie with the best.
 const SweepCandidate* runner_up(const std::vector<SweepCandidate>& candidates) {
-  const auto next = std::find_if(candidates.begin(), candidates.end(),
-                                 [](const SweepCandidate& candidate) { return candidate.tie_group > 1; });
+  const auto next =
+      std::ranges::find_if(candidates, [](const SweepCandidate& each) { return each.tie_group > 1; });
   return next == candidates.end() ? nullptr : &*next;
 }
 
@@ -142,8 +141,7 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
   if (result.candidates.empty()) return remarks;
   const SweepCandidate& best = result.candidates.front();
   const bool by_molds = result.settings.rank == SweepRank::mold;
-  const auto ties = std::count_if(result.candidates.begin(), result.candidates.end(),
-                                  [](const SweepCandidate& candidate) { return candidate.tie_group == 1; });
+  const auto ties = std::ranges::count(result.candidates, std::size_t{1}, &SweepCandidate::tie_group);
   const auto scored = std::ranges::count(result.candidates, false, &SweepCandidate::measured);
   if (scored > 0) {
     remarks.push_back(

@@ -22,8 +22,9 @@
 #include "sweep/listing.hpp"
 #include "sweep/mold_ranking.hpp"
 #include "sweep/proving.hpp"
-#include "sweep/remarks.hpp"
-#include "sweep/sweep_stages.hpp"
+#include "sweep/recommendation.hpp"
+#include "sweep/sweep_clock.hpp"
+#include "sweep/sweep_texts.hpp"
 #include "sweep/sweep_tools.hpp"
 
 namespace moldlight {
@@ -47,7 +48,7 @@ class SweepRun {
            const SweepListener& listener)
       : settings_(settled(settings)),
         tools_(std::move(model), settings_, progress, listener),
-        molds_(tools_.model, settings_, tools_.rating, tools_.clock, tools_.measurer, tools_.actions),
+        molds_(tools_),
         search_(tools_, result_) {}
 
   /// `best_alone`: what cannot be recommended is not looked at.
@@ -68,7 +69,7 @@ class SweepRun {
       search_.keep_contenders();
       search_.measure_contenders();
       search_.polish_best();
-      prove();
+      prove_sweep(search_.descent(), settings_, search_.contenders(), result_);
       choose(tools_.wanted());
       drop_unmeasured();
       find_side_actions();
@@ -91,7 +92,6 @@ class SweepRun {
   void report_named();
   void look_at_others(std::vector<Candidate>& candidates, bool best_alone);
   void list_as_molds(bool best_alone);
-  void prove();
   void choose(std::size_t most);
   void drop_unmeasured();
   void find_side_actions();
@@ -190,12 +190,6 @@ void SweepRun::list_as_molds(bool best_alone) {
       result_.candidates, [](const SweepCandidate& each) { return each.actions.has_value(); }));
 }
 
-void SweepRun::prove() {
-  if (!settings_.prove_pct && !settings_.all_free_pct) return;
-  prove_sweep({.polishing = search_.polishing(), .settings = settings_, .jobs = result_.jobs},
-              search_.contenders(), result_);
-}
-
 /// Those that are listed, or may be once more is known of them.
 void SweepRun::choose(std::size_t most) {
   search_.contenders() = contenders_to_list(tools_.rating, search_.contenders(), search_.contender_order(),
@@ -220,19 +214,16 @@ void SweepRun::find_side_actions() {
   }
   std::mutex mutex;
   std::size_t done = 0;
-  const auto found = tools_.actions.find(
-      directions, {}, tools_.clock.until_cancelled(), [this] { return tools_.clock.stopped(); },
-      [&] {
-        const std::lock_guard lock(mutex);
-        tools_.clock.report(sweep_stage::k_actions,
-                            static_cast<double>(++done) / static_cast<double>(directions.size()));
-      },
-      PlanDetail::whole);
+  const auto found = tools_.actions.find(directions, {}, tools_.clock, PlanDetail::whole, [&] {
+    const std::lock_guard lock(mutex);
+    tools_.clock.report(sweep_stage::k_actions,
+                        static_cast<double>(++done) / static_cast<double>(directions.size()));
+  });
   for (std::size_t k = 0; k < measured.size(); ++k) {
     if (!found[k]) continue;
     Contender& contender = *measured[k];
     contender.actions = found[k];
-    contender.figures = tools_.rating.measured(contender.candidate, *contender.measured, *contender.actions);
+    contender.figures = tools_.rating.measured(contender.candidate, *contender.measured, contender.actions);
     ++result_.with_actions;
   }
 }

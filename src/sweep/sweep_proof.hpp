@@ -1,14 +1,12 @@
 // The proof of a sweep: what all directions have, those that were not tried included.
 #pragma once
 
-#include <functional>
+#include <algorithm>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "classify/part_model.hpp"
+#include "mold/direction.hpp"
 #include "proof/direction_proof.hpp"
-#include "proof/open_caps.hpp"
 #include "sweep/sweep_settings.hpp"
 
 namespace moldlight {
@@ -36,19 +34,12 @@ struct SweepProof {
   std::vector<ProofCell> cells;
 
   /// The bound that was proved for a unit direction or its opposite; none where it is open.
-  [[nodiscard]] std::optional<double> bound_at(const glm::dvec3& direction) const;
+  [[nodiscard]] std::optional<double> bound_at(const glm::dvec3& direction) const {
+    const glm::dvec3 turned = half_sphere(direction);
+    const auto cell = std::ranges::find_if(
+        cells, [&](const ProofCell& each) { return each.proved && each.cell.contains(turned); });
+    return cell == cells.end() ? std::nullopt : std::optional(std::max(cell->bound, bound));
+  }
 };
-
-struct ProofRun {
-  ProofGrade grade = ProofGrade::samples;
-  double bound = 0.0;  // model units squared
-  std::function<bool()> stop = {};
-  std::function<void(double open_share)> progress = {};
-};
-
-/// With the settings' scoring samples, tau and lateral tolerance, on the cores of the calling thread's TBB
-/// arena. Throws Cancelled from what it needs of the part.
-[[nodiscard]] SweepProof prove(const PartModel& model, const SweepSettings& settings, const ProofRun& run,
-                               const Progress& progress);
 
 }  // namespace moldlight

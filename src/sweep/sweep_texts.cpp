@@ -8,16 +8,6 @@
 
 namespace moldlight {
 
-void mark_ties(std::vector<SweepCandidate>& candidates) {
-  char letter = 'a';
-  for (std::size_t first = 0, end = 0; first < candidates.size(); first = end) {
-    while (end < candidates.size() && candidates[end].tie_group == candidates[first].tie_group) ++end;
-    if (end - first < 2) continue;
-    for (std::size_t k = first; k < end; ++k) candidates[k].tie = letter;
-    letter = letter == 'z' ? 'a' : static_cast<char>(letter + 1);
-  }
-}
-
 std::string reasons_text(const Candidate& candidate, std::size_t most) {
   std::vector<const CandidateSource*> noted;
   for (const CandidateSource& source : candidate.sources) {

@@ -1,4 +1,4 @@
-// How the figures of a swept direction are written for people: in the table and on pictures.
+// How what a sweep found is written for people: in remarks, in the table and on pictures.
 #pragma once
 
 #include <string>
@@ -8,9 +8,6 @@
 #include "sweep/sweep_result.hpp"
 
 namespace moldlight {
-
-/// Gives every tie group of more than one direction its letter, in order.
-void mark_ties(std::vector<SweepCandidate>& candidates);
 
 /// What speaks for a candidate, the strongest of each kind, so many at most, and how many more there are.
 [[nodiscard]] std::string reasons_text(const Candidate& candidate, std::size_t most = 3);
@@ -23,6 +20,10 @@ void mark_ties(std::vector<SweepCandidate>& candidates);
 /// "1 slide, planar parting line", "two-plate, parting line climbs 14 mm": what a mold along it is like,
 /// as far as it is known.
 [[nodiscard]] std::string mold_text(const PartModel& model, const SweepCandidate& candidate);
+
+/// Remarks on a sweep: by how much the best is better, ties, the directions that the user gave. Sentences on
+/// the ranked candidates; none without a candidate.
+[[nodiscard]] std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult& result);
 
 [[nodiscard]] double undercut_area(const SweepCandidate& candidate);
 

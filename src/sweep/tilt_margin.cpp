@@ -12,7 +12,7 @@
 
 #include "mold/map_frame.hpp"
 #include "sweep/arena_threads.hpp"
-#include "sweep/sweep_stages.hpp"
+#include "sweep/sweep_clock.hpp"
 
 namespace moldlight {
 
@@ -91,19 +91,21 @@ std::optional<TiltMargin> tilt_margin(DirectionScorer& scorer, const glm::dvec3&
   return TiltMargin{good_deg, toward};
 }
 
-std::vector<std::optional<TiltMargin>> tilt_margins(const TiltSearch& search,
-                                                    std::span<const glm::dvec3> directions) {
-  std::vector<std::optional<TiltMargin>> margins(directions.size());
+std::vector<std::optional<TiltMargin>> tilt_margins(SweepTools& tools,
+                                                    std::span<const Contender> contenders) {
+  std::vector<std::optional<TiltMargin>> margins(contenders.size());
+  const double growth = tools.settings.tilt_growth_pct * 0.01 * tools.model.geometry.total_area;
   std::mutex mutex;
   std::size_t done = 0;
-  tbb::task_arena arena(arena_threads(search.jobs));
+  tbb::task_arena arena(arena_threads(ScoringPool::threads(tools.settings.jobs)));
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, directions.size(), [&](std::size_t i) {
-      const std::unique_ptr<DirectionScorer> scorer = search.pools.make_ray_scorer();
-      margins[i] = tilt_margin(*scorer, directions[i], search.growth, [&] { return search.clock.stopped(); });
+    tbb::parallel_for(std::size_t{0}, contenders.size(), [&](std::size_t i) {
+      const std::unique_ptr<DirectionScorer> scorer = tools.pools.make_ray_scorer();
+      margins[i] = tilt_margin(*scorer, contenders[i].candidate.direction, growth,
+                               [&] { return tools.clock.stopped(); });
       const std::lock_guard lock(mutex);
-      search.clock.report(sweep_stage::k_final,
-                          static_cast<double>(++done) / static_cast<double>(directions.size()));
+      tools.clock.report(sweep_stage::k_final,
+                         static_cast<double>(++done) / static_cast<double>(contenders.size()));
     });
   });
   return margins;

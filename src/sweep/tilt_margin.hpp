@@ -8,10 +8,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "sweep/contender.hpp"
 #include "sweep/direction_scorer.hpp"
-#include "sweep/scoring_pools.hpp"
-#include "sweep/sweep_clock.hpp"
 #include "sweep/sweep_result.hpp"
+#include "sweep/sweep_tools.hpp"
 
 namespace moldlight {
 
@@ -22,16 +22,9 @@ namespace moldlight {
 [[nodiscard]] std::optional<TiltMargin> tilt_margin(DirectionScorer& scorer, const glm::dvec3& direction,
                                                     double growth, const std::function<bool()>& stop);
 
-/// What many are found with.
-struct TiltSearch {
-  const ScoringPools& pools;
-  SweepClock& clock;
-  double growth;  // as above
-  int jobs;
-};
-/// Of each direction, as far as there is time, each on one thread: one after the other they would leave
-/// threads idle.
-[[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(const TiltSearch& search,
-                                                                  std::span<const glm::dvec3> directions);
+/// Of each direction, by the settings' growth and as far as there is time, each on one thread: one after the
+/// other they would leave threads idle.
+[[nodiscard]] std::vector<std::optional<TiltMargin>> tilt_margins(SweepTools& tools,
+                                                                  std::span<const Contender> contenders);
 
 }  // namespace moldlight

@@ -17,7 +17,7 @@
 #include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"
 #include "support/shared_parts.hpp"
-#include "sweep/candidates/canonical.hpp"
+#include "sweep/candidates/candidate_sources.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight {

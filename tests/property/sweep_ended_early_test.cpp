@@ -10,8 +10,8 @@
 #include "sweep/candidates/candidate.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep.hpp"
+#include "sweep/sweep_clock.hpp"
 #include "sweep/sweep_report.hpp"
-#include "sweep/sweep_stages.hpp"
 
 namespace moldlight {
 namespace {

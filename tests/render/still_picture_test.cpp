@@ -5,7 +5,6 @@
 
 #include "base/error.hpp"
 #include "classify/still_picture.hpp"
-#include "classify/view_choice.hpp"
 #include "render/camera.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/golden.hpp"

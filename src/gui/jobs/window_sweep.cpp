@@ -11,7 +11,7 @@
 
 #include "study/study.hpp"
 #include "sweep/direction_figures.hpp"
-#include "sweep/sweep_stages.hpp"
+#include "sweep/sweep_clock.hpp"
 
 namespace moldlight::gui {
 

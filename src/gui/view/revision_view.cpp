@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "classify/number_format.hpp"
-#include "classify/view_choice.hpp"
+#include "classify/still_picture.hpp"
 #include "compare/convex_polygon.hpp"
 #include "gui/draw/widgets.hpp"
 #include "mold/draft.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "classify/view_choice.hpp"
+#include "classify/still_picture.hpp"
 #include "render/camera.hpp"
 #include "report/describe/parts.hpp"
 

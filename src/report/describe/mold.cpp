@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "classify/view_choice.hpp"
+#include "classify/still_picture.hpp"
 #include "parting/mold_figures.hpp"
 #include "parting/mold_picture.hpp"
 #include "render/view_settings.hpp"

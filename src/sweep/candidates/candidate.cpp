@@ -41,8 +41,7 @@ std::vector<CandidateKind> all_candidate_kinds() {
 std::vector<Candidate> merge_candidates(std::vector<Candidate> candidates, double tolerance_deg) {
   for (Candidate& candidate : candidates) {
     CHECK(!candidate.sources.empty());
-    std::stable_sort(candidate.sources.begin(), candidate.sources.end(),
-                     [](const CandidateSource& a, const CandidateSource& b) { return a.kind < b.kind; });
+    std::ranges::stable_sort(candidate.sources, {}, &CandidateSource::kind);
     if (!candidate.from_user()) candidate.direction = half_sphere(candidate.direction);
   }
   std::stable_sort(candidates.begin(), candidates.end(), more_exact);

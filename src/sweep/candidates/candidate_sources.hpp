@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "mesh/adjacency.hpp"
-#include "mesh/facet_geometry.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "classify/part_model.hpp"
 #include "sweep/candidates/candidate.hpp"
 
 namespace moldlight {
@@ -64,6 +62,14 @@ struct CurvedPatch {
 /// Throws Cancelled.
 [[nodiscard]] std::vector<Candidate> hull_candidates(const TriangleMesh& mesh, std::size_t most,
                                                      const Progress& progress);
+
+/// Canonical directions, which the shape of a part names and a mold maker tries first: the file's axes;
+/// normals of planes and axes of round walls, put together within a tenth of a degree, the largest first, as
+/// far as they are a hundredth of the surface; principal axes where there are none. At most twelve. Of two
+/// within 3 degrees the one for which more of the surface speaks is canonical. Axes of the file for which
+/// none does are among them, but not canonical where the part is turned. All others turn with the part and do
+/// not depend on the order of its facets.
+[[nodiscard]] std::vector<Candidate> canonical_candidates(const PartModel& model);
 
 /// `count` directions of even density with z > 0 (Fibonacci lattice), the same in every run.
 [[nodiscard]] std::vector<glm::dvec3> fibonacci_half_sphere(std::size_t count);

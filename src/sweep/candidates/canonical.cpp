@@ -1,5 +1,4 @@
-#include "sweep/candidates/canonical.hpp"
-
+// Canonical directions: from planes and round walls, put together.
 #include <algorithm>
 #include <array>
 #include <cmath>

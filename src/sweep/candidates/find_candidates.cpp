@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "sweep/candidates/candidate_sources.hpp"
-#include "sweep/candidates/canonical.hpp"
 
 namespace moldlight {
 
@@ -16,10 +15,9 @@ std::vector<Candidate> find_candidates(const PartModel& model, const CandidateOp
   const std::vector<NormalCell> cells = normal_histogram(geometry);
   const auto ask = [&](CandidateKind kind) -> std::vector<Candidate> {
     switch (kind) {
-      case CandidateKind::user:
-        return {};  // asked below, listed or not
-      case CandidateKind::refined:
-        return {};  // a sweep makes these
+      case CandidateKind::user:     // asked below, listed or not
+      case CandidateKind::refined:  // a sweep makes these
+        return {};
       case CandidateKind::axis:
         return coordinate_axis_candidates();
       case CandidateKind::revolution:

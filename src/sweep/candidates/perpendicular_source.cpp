@@ -3,6 +3,7 @@
 // narrower band.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -77,8 +78,7 @@ std::vector<glm::dvec3> starts(std::span<const NormalCell> voters, std::size_t m
   for (const glm::dvec3& direction : fibonacci_half_sphere(k_ballots)) {
     ballots.push_back({direction, votes_for(direction, voters)});
   }
-  std::stable_sort(ballots.begin(), ballots.end(),
-                   [](const Ballot& a, const Ballot& b) { return a.votes > b.votes; });
+  std::ranges::stable_sort(ballots, std::greater{}, &Ballot::votes);
 
   std::vector<glm::dvec3> found;
   const double peak_cosine = std::cos(glm::radians(k_peak_distance_deg));
@@ -114,8 +114,7 @@ std::vector<Candidate> perpendicular_candidates(const std::vector<NormalCell>& c
       if (!known) found.push_back(candidate);
     }
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Perpendicular& a, const Perpendicular& b) { return a.area > b.area; });
+  std::ranges::stable_sort(found, std::greater{}, &Perpendicular::area);
   if (found.size() > most) found.resize(most);
 
   std::vector<Candidate> candidates;

@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <numeric>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -208,9 +211,8 @@ struct Axis {
 };
 
 std::vector<Axis> common_axes(std::vector<CurvedPatch> patches) {
-  std::stable_sort(patches.begin(), patches.end(), [](const CurvedPatch& a, const CurvedPatch& b) {
-    return a.full_turn != b.full_turn ? a.full_turn : a.area > b.area;
-  });
+  std::ranges::stable_sort(patches, std::greater{},
+                           [](const CurvedPatch& patch) { return std::pair(patch.full_turn, patch.area); });
   std::vector<Axis> axes;
   for (const CurvedPatch& patch : patches) {
     auto same = std::find_if(axes.begin(), axes.end(), [&](const Axis& axis) {
@@ -221,9 +223,8 @@ std::vector<Axis> common_axes(std::vector<CurvedPatch> patches) {
     same->full_turns += patch.full_turn ? 1 : 0;
     same->area += patch.area;
   }
-  std::stable_sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) {
-    return (a.full_turns > 0) != (b.full_turns > 0) ? a.full_turns > 0 : a.area > b.area;
-  });
+  std::ranges::stable_sort(axes, std::greater{},
+                           [](const Axis& axis) { return std::pair(axis.full_turns > 0, axis.area); });
   return axes;
 }
 
@@ -241,9 +242,8 @@ std::string patches_text(const Axis& axis) {
 std::vector<CurvedPatch> curved_patches(const FacetGeometry& geometry, const Adjacency& adjacency) {
   const Strips strips = make_strips(geometry, adjacency);
   std::vector<Strip> seeds(strips.normals.size());
-  for (Strip strip = 0; strip < seeds.size(); ++strip) seeds[strip] = strip;
-  std::stable_sort(seeds.begin(), seeds.end(),
-                   [&](Strip a, Strip b) { return strips.areas[a] > strips.areas[b]; });
+  std::iota(seeds.begin(), seeds.end(), Strip{0});
+  std::ranges::stable_sort(seeds, std::greater{}, [&](Strip strip) { return strips.areas[strip]; });
 
   std::vector<CurvedPatch> patches;
   PatchGrower grower(strips);

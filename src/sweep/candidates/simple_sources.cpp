@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -51,8 +52,7 @@ std::vector<NormalCell> normal_histogram(const FacetGeometry& geometry) {
     cells.back().area += geometry.areas[facet];
   }
   for (NormalCell& cell : cells) cell.normal = half_sphere(glm::normalize(cell.normal));
-  std::stable_sort(cells.begin(), cells.end(),
-                   [](const NormalCell& a, const NormalCell& b) { return a.area > b.area; });
+  std::ranges::stable_sort(cells, std::greater{}, &NormalCell::area);
   return cells;
 }
 

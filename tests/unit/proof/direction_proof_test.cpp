@@ -13,7 +13,6 @@
 #include <tbb/task_arena.h>
 
 #include "mold/direction.hpp"
-#include "proof/open_caps.hpp"
 #include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"

@@ -1,5 +1,3 @@
-#include "sweep/candidates/canonical.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +12,7 @@
 #include "support/mesh_edits.hpp"
 #include "support/random.hpp"
 #include "support/solid_builder.hpp"
+#include "sweep/candidates/candidate_sources.hpp"
 
 namespace moldlight {
 namespace {

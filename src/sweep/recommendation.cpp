@@ -1,4 +1,4 @@
-#include "sweep/core_side.hpp"
+#include "sweep/recommendation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "classify/classification.hpp"
 #include "classify/number_format.hpp"
 #include "mold/direction.hpp"
+#include "sweep/sweep_texts.hpp"
 
 namespace moldlight {
 
@@ -36,7 +37,10 @@ std::string area_text(const PartModel& model, double area) {
   return rounded(area) + " " + powered_unit(model.part, 2);
 }
 
-}  // namespace
+struct CoreSide {
+  bool along = true;  // the core is on the direction's side, else on the opposite one
+  std::string why;
+};
 
 CoreSide core_side(const PartModel& model, const Query& query, const Progress& progress) {
   const Classification found = classify_exact(model, query, progress);
@@ -56,10 +60,7 @@ CoreSide core_side(const PartModel& model, const Query& query, const Progress& p
   const double as_much = k_as_much * model.geometry.total_area;
   const auto made = [&](bool along, const std::string& why) {
     const glm::dvec3 side = along ? found.direction : -found.direction;
-    return CoreSide{.along = along,
-                    .inner = along ? core.inner : cavity.inner,
-                    .opposite = along ? cavity.inner : core.inner,
-                    .why = fmt::format("the core is on the side of {}: {}", direction_words(side), why)};
+    return CoreSide{along, fmt::format("the core is on the side of {}: {}", direction_words(side), why)};
   };
   if (const double difference = core.inner - cavity.inner; std::abs(difference) > as_much) {
     const auto [less, more] = std::minmax(core.inner, cavity.inner);
@@ -73,6 +74,26 @@ CoreSide core_side(const PartModel& model, const Query& query, const Progress& p
                                               area_text(model, more), area_text(model, less)));
   }
   return made(true, "either half may be the core, since both form as much");
+}
+
+}  // namespace
+
+Recommendation recommendation(const PartModel& model, const MethodSettings& method,
+                              std::span<const SweepCandidate> candidates, const Progress& progress) {
+  const SweepCandidate& best = candidates.front();
+  const CoreSide core = core_side(model, {best.candidate.direction, method}, progress);
+  Recommendation found{.direction = (core.along ? best.candidate.direction : -best.candidate.direction) + 0.0,
+                       .why = mold_text(model, best),
+                       .beside = best.beside};
+  if (found.why.empty()) found.why = "its side actions were not sought";
+  found.name = direction_words(found.direction);
+  if (best.candidate.canonical && !nearest_axis(found.direction).is_met())
+    found.name = best.candidate.canonical->name;
+  if (candidates.size() > 1 && !candidates[1].rank_reasons.empty())
+    found.why += fmt::format("; the next, {}, {}", direction_words(candidates[1].candidate.direction),
+                             candidates[1].rank_reasons.front());
+  found.why += "; " + core.why;
+  return found;
 }
 
 }  // namespace moldlight
