@@ -1,3 +1,4 @@
+// From where a part is best looked at.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,4 @@
+// How far a mesh may lie off the surface that it stands for.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,4 @@
+// Where a revision's parting line leaves that of the mold that exists.
 #include <algorithm>
 #include <cmath>
 #include <functional>

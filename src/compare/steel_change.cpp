@@ -1,3 +1,4 @@
+// Steel to cut and to add: what each part alone fills, bit by bit of its surface.
 #include <algorithm>
 #include <array>
 #include <cmath>

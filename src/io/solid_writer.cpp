@@ -1,3 +1,4 @@
+// Solids for printing and machining: binary STL, and 3MF with several solids in one file.
 #include <cstdint>
 #include <cstring>
 #include <iterator>

@@ -1,3 +1,4 @@
+// Caps of directions around the cells that a proof left open.
 #include <algorithm>
 #include <array>
 #include <cmath>
