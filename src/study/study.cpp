@@ -1,14 +1,10 @@
 #include "study/study.hpp"
 
-#include <memory>
-#include <utility>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
 #include "classify/number_format.hpp"
-#include "parting/draft/draft_check.hpp"
 #include "parting/make_halves.hpp"
 
 namespace moldlight {

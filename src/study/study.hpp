@@ -153,14 +153,6 @@ class Study {
   void keep(std::shared_ptr<const Answer> answer) {
     std::get<Kept<Answer>>(kept_) = {Asked<Answer>::inputs(*this), std::move(answer)};
   }
-  /// What another study of the same part knows of the present questions.
-  template <typename Answer>
-  void take(const Study& other) {
-    const Kept<Answer>& theirs = std::get<Kept<Answer>>(other.kept_);
-    if (other.model_ == model_ && theirs.answer && theirs.inputs == Asked<Answer>::inputs(*this))
-      std::get<Kept<Answer>>(kept_) = theirs;
-  }
-
   /// With the side actions, where they belong to the question.
   [[nodiscard]] Verdict verdict(const Progress& progress);
 

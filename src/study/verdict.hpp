@@ -2,10 +2,8 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "actions/side_action.hpp"
@@ -31,8 +29,6 @@ struct Verdict {
 
   /// Nothing to be done about the part: the one state that is shown with a tick.
   [[nodiscard]] bool good() const { return state == VerdictState::two_plate; }
-  /// A mold can be built for it.
-  [[nodiscard]] bool releasable() const { return good() || state == VerdictState::side_actions; }
   bool operator==(const Verdict&) const = default;
 };
 

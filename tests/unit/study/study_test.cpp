@@ -57,16 +57,6 @@ TEST_F(StudyOfAPocket, GoesBackToNoOldAnswer) {
   EXPECT_NE(study.find<Classification>(Progress()).areas[Region::undercut], along_z);
 }
 
-TEST_F(StudyOfAPocket, TakesWhatACopyFound) {
-  Study copy = study;
-  copy.find<ActionPlan>(Progress());
-  study.take<ActionPlan>(copy);
-  EXPECT_EQ(study.known<ActionPlan>(), copy.known<ActionPlan>());
-  ask([](Questions& asked) { asked.query.direction = glm::dvec3(1, 0, 0); });
-  study.take<ActionPlan>(copy);
-  EXPECT_EQ(study.known<ActionPlan>(), nullptr) << "it is of another direction";
-}
-
 TEST_F(StudyOfAPocket, CountsUndercutsAlikeWithAndWithoutAList) {
   Study other = study;
   const UndercutTotals counted = study.find<UndercutTotals>(Progress());
