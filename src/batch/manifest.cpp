@@ -10,7 +10,6 @@
 #include "base/numbers.hpp"
 #include "classify/classify_report.hpp"
 #include "io/atomic_file.hpp"
-#include "io/file_contents.hpp"
 
 namespace moldlight::batch {
 

@@ -279,16 +279,19 @@ WorkOutcome work_on(const Manifest& manifest, const Row& row, const std::string&
     if (child.end == ChildEnd::cancelled) throw Cancelled();
     const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool last = tries > settings.retries;
+    const auto add_facts = [&](Json& result) {
+      result["tries"] = tries;
+      result["elapsed_s"] = elapsed_s;
+      result["host"] = host_name();
+      result["finished_at"] = utc_now();
+    };
     if (is_done(child)) {
       Json report = Json::parse(child.out, nullptr, false);
       if (FileStamp(file) != stamp && !last) continue;
       if (report.is_object()) {
         Json result = head(manifest, row, "done");
         result["exit_code"] = child.code;
-        result["tries"] = tries;
-        result["elapsed_s"] = elapsed_s;
-        result["host"] = host_name();
-        result["finished_at"] = utc_now();
+        add_facts(result);
         result["report"] = std::move(report);
         return {WorkEnd::done, "", std::move(result)};
       }
@@ -306,10 +309,7 @@ WorkOutcome work_on(const Manifest& manifest, const Row& row, const std::string&
                                                           : "memory";
     if (!is_limit(child.end)) result[child.end == ChildEnd::exited ? "exit_code" : "signal"] = child.code;
     result["reason"] = reason;
-    result["tries"] = tries;
-    result["elapsed_s"] = elapsed_s;
-    result["host"] = host_name();
-    result["finished_at"] = utc_now();
+    add_facts(result);
     return {WorkEnd::failed, reason, std::move(result)};
   }
 }

@@ -136,26 +136,6 @@ PlanSource pattern_source(const std::string& pattern) {
   return source;
 }
 
-/// Numbers of equal settings, each checked and kept once.
-class SettingsTable {
- public:
-  SettingsTable(Manifest& manifest, const SettingsMaker& make) : manifest_(manifest), make_(make) {}
-
-  std::uint32_t number(const std::vector<NamedValue>& row) {
-    std::string text;
-    for (const auto& [name, value] : row) text += fmt::format("{}={}\n", name, value);
-    const auto [entry, is_new] =
-        numbers_.emplace(text, static_cast<std::uint32_t>(manifest_.settings.size()));
-    if (is_new) manifest_.settings.push_back(make_(row));
-    return entry->second;
-  }
-
- private:
-  Manifest& manifest_;
-  const SettingsMaker& make_;
-  std::unordered_map<std::string, std::uint32_t> numbers_;
-};
-
 /// Digests of the files, each read once; on all cores, more of them where reading is what takes the time.
 std::vector<FileDigest> digests_of(const std::vector<std::string>& files, const Progress& progress) {
   std::vector<FileDigest> digests(files.size());
@@ -203,7 +183,8 @@ std::vector<Row> plan_rows(Manifest& manifest, const PlanSource& source, const S
                            const Progress& progress) {
   manifest.parts = parts_from(manifest.folder, source.parts);
   manifest.settings.clear();
-  SettingsTable table(manifest, make);
+  std::unordered_map<std::string, std::uint32_t>
+      settings_numbers;  // of equal ones, each checked and kept once
   std::vector<Row> rows;
   std::vector<std::string> files;
   std::vector<std::size_t> file_of_row;
@@ -213,7 +194,12 @@ std::vector<Row> plan_rows(Manifest& manifest, const PlanSource& source, const S
     row.number = rows.size();
     row.path = entry.path;
     try {
-      row.settings = table.number(entry.settings);
+      std::string text;
+      for (const auto& [name, value] : entry.settings) text += fmt::format("{}={}\n", name, value);
+      const auto [settings, is_new] =
+          settings_numbers.emplace(text, static_cast<std::uint32_t>(manifest.settings.size()));
+      if (is_new) manifest.settings.push_back(make(entry.settings));
+      row.settings = settings->second;
     } catch (const UsageError& error) {
       if (entry.place.empty()) throw;
       throw UsageError(fmt::format("{}: {}: {}", manifest.source, entry.place, error.what()));

@@ -13,7 +13,6 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
-#include "io/file_contents.hpp"
 
 namespace moldlight::batch {
 
@@ -60,9 +59,9 @@ std::string_view ending_of(ResultState state) {
 
 std::string_view ending_of(Beside what) { return what == Beside::picture ? ".png" : ".html"; }
 
-/// Calls `visit` with the folder and the name of every entry of the folders of results.
-void for_each_entry(const std::string& folder, const Progress& progress,
-                    const std::function<void(const std::string&, const char*)>& visit) {
+/// Calls `visit` with the key and the ending of every file of results.
+void for_each_file(const std::string& folder, const Progress& progress,
+                   const std::function<void(const Digest&, std::string_view)>& visit) {
   for (int k = 0; k < k_folders; ++k) {
     if (progress.cancelled()) throw Cancelled();
     const std::string one = fmt::format("{}/{:02x}", folder, k);
@@ -71,7 +70,11 @@ void for_each_entry(const std::string& folder, const Progress& progress,
       if (errno == ENOENT) continue;
       throw FileError(one, "", fmt::format("cannot be read: {}", std::strerror(errno)));
     }
-    while (const dirent* entry = ::readdir(entries)) visit(one, entry->d_name);
+    while (const dirent* entry = ::readdir(entries)) {
+      const std::string_view name(entry->d_name);
+      const auto key = digest_from(name.substr(0, k_key_digits));
+      if (key) visit(*key, name.substr(k_key_digits));
+    }
     ::closedir(entries);
   }
 }
@@ -99,24 +102,17 @@ ResultState ResultStore::state(const Digest& key) const {
 
 ResultIndex ResultStore::index(const Progress& progress) const {
   ResultIndex found;
-  for_each_entry(folder_, progress, [&](const std::string&, const char* entry) {
-    const std::string_view name(entry);
-    if (name.size() <= k_key_digits) return;
-    const std::string_view ending = name.substr(k_key_digits);
-    const auto key = digest_from(name.substr(0, k_key_digits));
-    if (!key) return;
-    if (ending == k_done) found[*key] = ResultState::done;
-    if (ending == k_failed) found.emplace(*key, ResultState::failed);
+  for_each_file(folder_, progress, [&](const Digest& key, std::string_view ending) {
+    if (ending == k_done) found[key] = ResultState::done;
+    if (ending == k_failed) found.emplace(key, ResultState::failed);
   });
   return found;
 }
 
 ResultIndex ResultStore::those_with(Beside what, const Progress& progress) const {
   ResultIndex found;
-  for_each_entry(folder_, progress, [&](const std::string&, const char* entry) {
-    const std::string_view name(entry);
-    const auto key = digest_from(name.substr(0, k_key_digits));
-    if (key && name.substr(k_key_digits) == ending_of(what)) found[*key] = ResultState::done;
+  for_each_file(folder_, progress, [&](const Digest& key, std::string_view ending) {
+    if (ending == ending_of(what)) found[key] = ResultState::done;
   });
   return found;
 }
