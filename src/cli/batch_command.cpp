@@ -186,23 +186,19 @@ int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
         return counts.rows == 0 ? std::string(stage) : progress_text(counts, watch, columns);
       },
       k_plain_interval);
-  std::size_t noted = 0;
-  const auto note = [&](const std::string& path, const std::string& reason) {
-    if (++noted <= k_failures_listed) console.warning(fmt::format("{}: failed: {}", path, reason));
-    if (noted == k_failures_listed + 1)
-      console.warning("further failures are not listed here; moldlight batch status lists the reasons");
+  const auto noting = [&console](const char* what, const char* further) {
+    return [&console, what, further, noted = std::size_t{0}](const std::string& path,
+                                                             const std::string& sentence) mutable {
+      if (++noted <= k_failures_listed) console.warning(fmt::format("{}: {}{}", path, what, sentence));
+      if (noted == k_failures_listed + 1) console.warning(further);
+    };
   };
-  std::size_t leaning = 0;
-  const auto note_off_axis = [&](const std::string& path, const std::string& sentence) {
-    if (++leaning <= k_failures_listed) console.warning(fmt::format("{}: {}", path, sentence));
-    if (leaning == k_failures_listed + 1)
-      console.warning("further parts whose best direction is not an axis are not listed here");
-  };
-  const RunEnd end =
-      run.carry_out({.failed = note,
-                     .off_axis = note_off_axis,
-                     .warning = [&](const std::string& sentence) { console.warning(sentence); }},
-                    progress);
+  const RunEnd end = run.carry_out(
+      {.failed = noting("failed: ",
+                        "further failures are not listed here; moldlight batch status lists the reasons"),
+       .off_axis = noting("", "further parts whose best direction is not an axis are not listed here"),
+       .warning = [&](const std::string& sentence) { console.warning(sentence); }},
+      progress);
   console.set_progress_text({});
   const BatchStatus status = batch_status(manifest, {.shard = flags.shard}, Progress());
   console.result(fmt::format("this run: {} done, {} failed, {} passed over, {:.1f} s\n", counts.done.load(),

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "base/error.hpp"
 #include "classify/classify_report.hpp"
 #include "io/atomic_file.hpp"
 

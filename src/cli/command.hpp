@@ -9,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/error.hpp"
 #include "base/progress.hpp"
 #include "classify/json.hpp"
 #include "cli/console.hpp"

@@ -21,8 +21,6 @@ class Console {
  public:
   Console();
   ~Console();
-  Console(const Console&) = delete;
-  Console& operator=(const Console&) = delete;
 
   void set_verbosity(Verbosity verbosity) { verbosity_ = verbosity; }
 

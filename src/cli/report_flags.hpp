@@ -32,7 +32,8 @@ struct ReportFlags {
   [[nodiscard]] std::vector<NamedPath> files() const { return {{"--html", html}, {"--pdf", pdf}}; }
 };
 
-/// Adds --html, --pdf and --paper. `request` and `flags` outlive the command.
+/// Adds --html, --pdf, --paper, and --revision, --material and the others of the title block. `request` and
+/// `flags` outlive the command.
 void add_report_flags(CLI::App& command, ReportFlags& flags, const Request& request);
 
 /// Adds --live, which needs --html.
