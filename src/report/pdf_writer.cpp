@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -17,24 +18,14 @@ constexpr double k_margin_pt = 42.5, k_footer_pt = 22.0;  // 15 mm
 constexpr double k_still_pt = 270.0;
 constexpr std::array<glm::dvec2, 2> k_paper_pt = {glm::dvec2(595.276, 841.89), glm::dvec2(612.0, 792.0)};
 
-class Pieces {
- public:
-  explicit Pieces(const Setting& setting) : setting_(&setting) {}
+using Pieces = std::vector<Piece>;
 
-  void add(Piece piece) { pieces_.push_back(std::move(piece)); }
-  void add(std::vector<Piece> pieces) {
-    for (Piece& piece : pieces) pieces_.push_back(std::move(piece));
-  }
-  void add_text(std::string_view text, const TextStyle& style, double gap, double inset = 0.0) {
-    add(line_pieces(lines_of(setting_->canvas, text, style, setting_->room.x - inset), style, gap));
-  }
-  Piece& last() { return pieces_.back(); }
-  [[nodiscard]] std::vector<Piece>& all() { return pieces_; }
+void add(Pieces& pieces, Pieces more) { std::ranges::move(more, std::back_inserter(pieces)); }
 
- private:
-  const Setting* setting_;
-  std::vector<Piece> pieces_;
-};
+Pieces text_pieces(const Setting& setting, std::string_view text, const TextStyle& style, double gap,
+                   double inset = 0.0) {
+  return line_pieces(lines_of(setting.canvas, text, style, setting.room.x - inset), style, gap);
+}
 
 Ink tone_ink(Tone tone) { return tone == Tone::good ? k_good : tone == Tone::bad ? k_bad : k_attention; }
 
@@ -50,13 +41,15 @@ void draw_tone(Canvas& canvas, Tone tone, const glm::dvec2& centre, double radiu
 }
 
 void add_head(const Setting& setting, const Report& report, Pieces& pieces) {
-  pieces.add_text(report.kind, {.size_px = k_small_pt, .weight = FontWeight::medium, .ink = k_faint}, 0.0);
-  pieces.add_text(report.part, {.size_px = 19.0, .weight = FontWeight::semibold, .ink = k_ink}, 1.0);
-  if (!report.subject.empty()) pieces.add_text(report.subject, {.size_px = 12.0, .ink = k_faint}, 0.0);
+  add(pieces, text_pieces(setting, report.kind,
+                          {.size_px = k_small_pt, .weight = FontWeight::medium, .ink = k_faint}, 0.0));
+  add(pieces, text_pieces(setting, report.part,
+                          {.size_px = 19.0, .weight = FontWeight::semibold, .ink = k_ink}, 1.0));
+  if (!report.subject.empty())
+    add(pieces, text_pieces(setting, report.subject, {.size_px = 12.0, .ink = k_faint}, 0.0));
   const TextStyle verdict{.size_px = 12.0, .weight = FontWeight::medium, .ink = k_ink};
   constexpr double k_inset_pt = 17.0;
-  std::vector<Piece> lines = line_pieces(
-      lines_of(setting.canvas, report.sentence, verdict, setting.room.x - k_inset_pt), verdict, 7.0);
+  Pieces lines = text_pieces(setting, report.sentence, verdict, 7.0, k_inset_pt);
   for (Piece& piece : lines) {
     piece.draw = [line = piece.draw, tone = report.tone, first = &piece == &lines.front()](
                      Canvas& canvas, const glm::dvec2& corner) {
@@ -64,8 +57,9 @@ void add_head(const Setting& setting, const Report& report, Pieces& pieces) {
       line(canvas, corner + glm::dvec2(k_inset_pt, 0.0));
     };
   }
-  pieces.add(std::move(lines));
-  if (!report.lead.empty()) pieces.add_text(report.paragraph(), {.size_px = k_body_pt, .ink = k_soft}, 3.0);
+  add(pieces, std::move(lines));
+  if (!report.lead.empty())
+    add(pieces, text_pieces(setting, report.paragraph(), {.size_px = k_body_pt, .ink = k_soft}, 3.0));
 }
 
 /// One line of the legend: marks with their names and what stands beside them.
@@ -119,33 +113,32 @@ void add_title(const Setting& setting, const TitleBlock& title, Pieces& pieces) 
   if (!title.logo.rgba.empty()) {
     const glm::dvec2 pixels(title.logo.width, title.logo.height);
     const glm::dvec2 size = pixels * std::min(k_most_logo_pt.x / pixels.x, k_most_logo_pt.y / pixels.y);
-    pieces.add({.height = size.y,
-                .gap = 8.0,
-                .with_next = true,
-                .draw = [&title, size](Canvas& canvas, const glm::dvec2& corner) {
-                  canvas.picture(title.logo, {corner, size});
-                }});
+    pieces.push_back({.height = size.y,
+                      .gap = 8.0,
+                      .with_next = true,
+                      .draw = [&title, size](Canvas& canvas, const glm::dvec2& corner) {
+                        canvas.picture(title.logo, {corner, size});
+                      }});
   }
-  for (const Block& block : title.blocks) pieces.add(block_pieces(setting, block));
+  for (const Block& block : title.blocks) add(pieces, block_pieces(setting, block));
 }
 
 void add_view(const Setting& setting, const Report& report, Pieces& pieces) {
   if (report.still.light.rgba.empty()) return;
   // The caption says how the view is used that paper does not have.
-  pieces.add(picture_piece(setting, report.still, report.still.text, k_still_pt));
+  pieces.push_back(picture_piece(setting, report.still, report.still.text, k_still_pt));
   if (!report.view) return;
   std::vector<Piece> legend = legend_pieces(setting, *report.view);
   if (legend.empty()) return;
-  pieces.last().with_next = true;
+  pieces.back().with_next = true;
   legend.front().gap = 3.0;
-  pieces.add(std::move(legend));
+  add(pieces, std::move(legend));
 }
 
 void add_section(const Setting& setting, const Section& section, Pieces& pieces) {
   const TextStyle style{.size_px = 12.5, .weight = FontWeight::semibold, .ink = k_ink};
   constexpr double k_above_pt = 9.0;
-  std::vector<Piece> heading =
-      line_pieces(lines_of(setting.canvas, section.title, style, setting.room.x), style, 14.0);
+  Pieces heading = text_pieces(setting, section.title, style, 14.0);
   Piece& first = heading.front();
   first.height += k_above_pt;
   first.draw = [line = first.draw, width = setting.room.x](Canvas& canvas, const glm::dvec2& corner) {
@@ -154,17 +147,17 @@ void add_section(const Setting& setting, const Section& section, Pieces& pieces)
   };
   first.outline = section.title;
   for (Piece& piece : heading) piece.with_next = true;
-  pieces.add(std::move(heading));
-  for (const Block& block : section.blocks) pieces.add(block_pieces(setting, block));
+  add(pieces, std::move(heading));
+  for (const Block& block : section.blocks) add(pieces, block_pieces(setting, block));
 }
 
 std::vector<Piece> report_pieces(const Setting& setting, const Report& report) {
-  Pieces pieces(setting);
+  Pieces pieces;
   add_head(setting, report, pieces);
   if (report.title) add_title(setting, *report.title, pieces);
   add_view(setting, report, pieces);
   for (const Section& section : report.sections) add_section(setting, section, pieces);
-  return std::move(pieces.all());
+  return pieces;
 }
 
 void draw_footer(Canvas& canvas, const glm::dvec2& size, const Report& report, const std::string& number) {

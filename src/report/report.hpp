@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -113,6 +114,11 @@ struct Section {
   std::string title;
   std::vector<Block> blocks;
   bool pages_only = false;  // left out of a terminal's text
+
+  void add(Block block) { blocks.push_back(std::move(block)); }
+  void add(std::string text, TextLook look = TextLook::normal) {
+    blocks.emplace_back(Text{std::move(text), look});
+  }
 };
 
 /// Who sends the report, and of what; what is empty is not known.

@@ -103,10 +103,11 @@ class TextWriter {
     return text.look == TextLook::command ? std::string() : with_hyphens(text.text) + "\n";
   }
 
-  [[nodiscard]] std::string block_text(const ShareBar&) const { return {}; }
-  [[nodiscard]] std::string block_text(const Pictures&) const { return {}; }
-  [[nodiscard]] std::string block_text(const DraftBars&) const { return {}; }
-  [[nodiscard]] std::string block_text(const Facts&) const { return {}; }
+  /// A terminal shows no other.
+  template <typename Other>
+  [[nodiscard]] std::string block_text(const Other&) const {
+    return {};
+  }
 
   [[nodiscard]] static std::string cell(const Row& row, std::size_t column) {
     return column < row.cells.size() ? with_hyphens(row.cells[column].text) : std::string();

@@ -45,7 +45,7 @@ void add_pages(const ReportContext& context, Study& study, Report& report) {
     std::vector<const Undercut*> undercuts;
     for (const Undercut& undercut : found.counted) undercuts.push_back(&undercut);
     Section section{"Undercuts", {}};
-    section.blocks.emplace_back(undercut_table(context, pictures, undercuts, totals_of(found)));
+    section.add(undercut_table(context, pictures, undercuts, totals_of(found)));
     report.sections.push_back(std::move(section));
   }
   Pictures behind;
@@ -110,13 +110,12 @@ Section proof_section(const PartModel& model, const SweepProof& proof, const std
                       std::string title) {
   const std::string area_unit = powered_unit(model.part, 2);
   Section section{std::move(title), {}, true};
-  section.blocks.emplace_back(
-      Text{fmt::format("{} {} an undercut of at least {} {}, {}.",
-                       proof.open.empty() ? "Every parting direction"
-                                          : "Every parting direction outside of the caps below",
-                       proof.holds ? "has" : "that was tried has", figure(proof.bound), area_unit,
-                       proof.grade == ProofGrade::area ? "by area" : "for the scoring samples"),
-           proof.holds ? TextLook::normal : TextLook::notice});
+  section.add(fmt::format("{} {} an undercut of at least {} {}, {}.",
+                          proof.open.empty() ? "Every parting direction"
+                                             : "Every parting direction outside of the caps below",
+                          proof.holds ? "has" : "that was tried has", figure(proof.bound), area_unit,
+                          proof.grade == ProofGrade::area ? "by area" : "for the scoring samples"),
+              proof.holds ? TextLook::normal : TextLook::notice);
   FigureGrid grid;
   grid.figures = {
       {"Bound",
@@ -129,7 +128,7 @@ Section proof_section(const PartModel& model, const SweepProof& proof, const std
        "%", "of the half-sphere of directions"},
       {"Open", {fmt::format("{}", proof.open.size())}, proof.open.size() == 1 ? "cap" : "caps"},
       {"Proof", {proof.holds ? "holds" : "does not hold"}, {}, proof.complete ? "" : "a limit ended it"}};
-  section.blocks.emplace_back(std::move(grid));
+  section.add(std::move(grid));
   constexpr std::size_t k_most_caps = 12;
   Table caps{{{"around", true}, {"radius"}, {"undercut " + area_unit}}, {}};
   for (std::size_t k = 0; k < std::min(proof.open.size(), k_most_caps); ++k) {
@@ -140,7 +139,7 @@ Section proof_section(const PartModel& model, const SweepProof& proof, const std
                           {open.undercut ? figure(*open.undercut) : std::string("–")}}});
   }
   if (proof.open.size() > k_most_caps) caps.rest = fmt::format("… {} in all.", proof.open.size());
-  if (!caps.rows.empty()) section.blocks.emplace_back(std::move(caps));
+  if (!caps.rows.empty()) section.add(std::move(caps));
   return section;
 }
 
@@ -213,9 +212,9 @@ Report sweep_report(const ReportContext& context, Study& study) {
                                     plural(result.evaluated.size(), "direction"), result.engine,
                                     result.skipped, result.complete ? "." : "; the sweep is not complete."));
   Section directions{"Parting directions", {}};
-  for (const std::string& remark : result.remarks) directions.blocks.emplace_back(Text{with_minus(remark)});
-  directions.blocks.emplace_back(std::move(maps));
-  if (any) directions.blocks.emplace_back(candidates_table(model, result));
+  for (const std::string& remark : result.remarks) directions.add(with_minus(remark));
+  directions.add(std::move(maps));
+  if (any) directions.add(candidates_table(model, result));
   report.sections.push_back(std::move(directions));
   if (result.proof)
     report.sections.push_back(proof_section(model, *result.proof, "/proof", "Proof that none is better"));

@@ -17,6 +17,8 @@ constexpr std::size_t k_most_row_pictures = 12, k_most_pictured_rows = 100;
 /// What is shown around an undercut: shares of its extent and of the part's diagonal.
 constexpr double k_around = 0.3, k_least_around = 0.06;
 
+}  // namespace
+
 StillSettings still_settings(const ReportContext& context, const glm::ivec2& size) {
   StillSettings still;
   still.size = size;
@@ -25,8 +27,6 @@ StillSettings still_settings(const ReportContext& context, const glm::ivec2& siz
   still.look.palette = context.palette;
   return still;
 }
-
-}  // namespace
 
 Illustrator::Illustrator(const ReportContext& context, const Classification& result)
     : context_(&context), result_(&result) {
@@ -83,8 +83,7 @@ Table undercut_table(const ReportContext& context, Illustrator& pictures,
   table.columns.push_back({style.heading("centre", FigureKind::length), true});
   for (std::size_t k = 0; k < std::min(undercuts.size(), k_most_pictured_rows); ++k) {
     Row row{{{fmt::format("{}", k + 1)}}};
-    add_cells(style, found_figures(undercut_sizes(), *undercuts[k]),
-              keys ? Place(fmt::format("{}/{}", *keys, k)) : std::nullopt, row);
+    add_cells(style, found_figures(undercut_sizes(), *undercuts[k]), entry_of(keys, k), row);
     row.cells.push_back({with_minus(style.point(undercuts[k]->centre))});
     if (k < k_most_row_pictures) {
       row.picture = pictures.undercut(*undercuts[k]);

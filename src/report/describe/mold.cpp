@@ -35,7 +35,7 @@ Section sides_section(const ReportContext& context, const MoldReport& found) {
     const double area = assignment.area(side);
     bar.shares.push_back({mark, share(area, assignment.total_area), name});
     table.rows.push_back({{{name},
-                           number(style.text(FigureKind::area, area), "/assignment/" + name, area),
+                           number(style, FigureKind::area, "/assignment/" + name, area),
                            {share_text(area, assignment.total_area)}},
                           mark});
   }
@@ -48,7 +48,7 @@ Section line_section(const MoldReport& found) {
   const PartingLine& line = found.line;
   const FigureStyle style(found.model);
   Section section{"Parting line", {}};
-  section.blocks.emplace_back(Text{parting_verdict(found.assignment, line, found.model)});
+  section.add(parting_verdict(found.assignment, line, found.model));
   Table table{{{"#"}, {"loop", true}}, {}};
   add_columns(style, loop_figures(), table);
   const double tolerance = lateral_tolerance(found.query.method, found.model.frame.diagonal);
@@ -62,7 +62,7 @@ Section line_section(const MoldReport& found) {
   }
   if (line.loops.size() - tiny > k_most_loops) table.rest = fmt::format("… {} in all.", line.loops.size());
   table.tiny = tiny_text(tiny);
-  if (!line.loops.empty()) section.blocks.emplace_back(std::move(table));
+  if (!line.loops.empty()) section.add(std::move(table));
   return section;
 }
 
@@ -87,9 +87,9 @@ Section details_section(const MoldReport& found) {
         grid_of(FigureStyle(found.model), found_figures(halves_figures(), found.halves), "", true);
     std::ranges::move(of_halves.figures, std::back_inserter(checks.figures));
   }
-  section.blocks.emplace_back(std::move(checks));
+  section.add(std::move(checks));
   if (const std::string needles = needles_text(found.model, found.halves); !needles.empty())
-    section.blocks.emplace_back(Text{needles});
+    section.add(needles);
   return section;
 }
 
@@ -97,7 +97,7 @@ Section halves_section(const MoldReport& found, bool drawn) {
   const MoldHalves& halves = found.halves;
   Section section{"Halves", {}};
   const auto notice = [&](const std::string& text) {
-    if (!text.empty()) section.blocks.emplace_back(Text{text, TextLook::notice});
+    if (!text.empty()) section.add(text, TextLook::notice);
   };
   if (!found.written.refusal.empty()) {
     notice(refusal_text(found.model, halves, found.written,
@@ -105,21 +105,20 @@ Section halves_section(const MoldReport& found, bool drawn) {
     return section;
   }
   if (found.pieces == nullptr) notice(sentence_of(unfilled_text(found.model, found.settings, halves)));
-  section.blocks.emplace_back(grid_of(FigureStyle(found.model), found_figures(halves_figures(), halves), ""));
+  section.add(grid_of(FigureStyle(found.model), found_figures(halves_figures(), halves), ""));
   for (const std::string& remark : halves_remarks(found)) notice(remark);
   // What is sent names no folder.
   for (const WrittenBody& body : found.written.bodies)
     if (!body.file.empty())
-      section.blocks.emplace_back(
-          Text{drawn ? std::filesystem::path(body.file).filename().string() : body.file, TextLook::quiet});
+      section.add(drawn ? std::filesystem::path(body.file).filename().string() : body.file, TextLook::quiet);
   return section;
 }
 
 /// Which side actions form what the halves leave; of a report that was asked for them.
 Section insert_actions_section(const MoldReport& found) {
   Section section{"Side actions", {}};
-  section.blocks.emplace_back(actions_table(found.model, *found.plan, {}));
-  section.blocks.emplace_back(bodies_table(found.model, *found.plan, {}));
+  section.add(actions_table(found.model, *found.plan, {}));
+  section.add(bodies_table(found.model, *found.plan, {}));
   return section;
 }
 

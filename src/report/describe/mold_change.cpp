@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "base/numbers.hpp"
 #include "report/describe/parts.hpp"
 
 namespace moldlight::report {
@@ -43,15 +42,14 @@ class MoldChangeDescriber {
         const std::optional<SteelChange>& steel = is_cut ? mold_.places[k].cut : mold_.places[k].add;
         if (!steel || ++all > k_most_steel_rows) continue;
         const std::string key = fmt::format("/places/{}/steel_to_{}/", k, is_cut ? "cut" : "add");
-        table.rows.push_back(
-            {{{fmt::format("{}", k + 1)},
-              {is_cut ? "cut" : "add"},
-              {steel_of_text(comparison_, *steel, is_cut)},
-              volume(steel->volume, key + "volume"),
-              {error(steel->volume)},
-              number(style_.text(FigureKind::area, steel->area), key + "area", steel->area),
-              number(style_.text(FigureKind::length, steel->depth), key + "depth", steel->depth),
-              {with_minus(style_.point(steel->centre))}}});
+        table.rows.push_back({{{fmt::format("{}", k + 1)},
+                               {is_cut ? "cut" : "add"},
+                               {steel_of_text(comparison_, *steel, is_cut)},
+                               volume(steel->volume, key + "volume"),
+                               {error(steel->volume)},
+                               number(style_, FigureKind::area, key + "area", steel->area),
+                               number(style_, FigureKind::length, key + "depth", steel->depth),
+                               {with_minus(style_.point(steel->centre))}}});
       }
     if (all > k_most_steel_rows) table.rest = fmt::format("… {} in all; --json lists them.", all);
     return table;
@@ -68,11 +66,10 @@ class MoldChangeDescriber {
       for (std::size_t k = 0; k < std::min(stretches.size(), k_most_steel_rows); ++k) {
         const LineStretch& one = stretches[k];
         const std::string key = fmt::format("/mold/parting_line/{}/{}/", is_new ? "new" : "gone", k);
-        table.rows.push_back(
-            {{{is_new ? "new, off the old one" : "old, no longer used"},
-              number(style_.text(FigureKind::length, one.length), key + "length", one.length),
-              number(style_.text(FigureKind::length, one.farthest), key + "farthest", one.farthest),
-              {with_minus(style_.point(one.at))}}});
+        table.rows.push_back({{{is_new ? "new, off the old one" : "old, no longer used"},
+                               number(style_, FigureKind::length, key + "length", one.length),
+                               number(style_, FigureKind::length, key + "farthest", one.farthest),
+                               {with_minus(style_.point(one.at))}}});
       }
     }
     return table;
@@ -80,7 +77,7 @@ class MoldChangeDescriber {
 
  private:
   [[nodiscard]] Value volume(const MeasuredVolume& measured, std::string key) const {
-    return number(style_.text(FigureKind::volume, measured.volume), std::move(key), measured.volume);
+    return number(style_, FigureKind::volume, std::move(key), measured.volume);
   }
   /// Where it can be seen in the digits shown.
   [[nodiscard]] static std::string error(const MeasuredVolume& measured) {
@@ -100,9 +97,9 @@ class MoldChangeDescriber {
 Section mold_change_section(const Comparison& comparison) {
   const MoldChangeDescriber describer(comparison);
   Section section{"Does the mold survive?", {}};
-  section.blocks.emplace_back(describer.sums());
+  section.add(describer.sums());
   for (Table table : {describer.steel(), describer.line()})
-    if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
+    if (!table.rows.empty()) section.add(std::move(table));
   return section;
 }
 

@@ -86,9 +86,9 @@ Table finishes_table(const FigureStyle& style, const DraftCheck& check) {
         {{{one.finish.name},
           number(angle_text(one.finish.required_deg), key + "required_deg", one.finish.required_deg),
           number(fmt::format("{}", one.faces), key + "faces", static_cast<double>(one.faces)),
-          number(style.text(FigureKind::area, one.area), key + "area", one.area),
+          number(style, FigureKind::area, key + "area", one.area),
           one.least_deg ? number(angle_text(*one.least_deg), key + "least_deg", *one.least_deg) : Value{"–"},
-          number(style.text(FigureKind::area, one.below), key + "below/area", one.below)}});
+          number(style, FigureKind::area, key + "below/area", one.below)}});
   }
   return table;
 }
@@ -127,9 +127,8 @@ std::string uncertainty_reason(const UndercutUncertainty& uncertainty) {
 /// What shadow maps show where the exact regions are otherwise: a row for every pair that surface has.
 void add_maps(const FigureStyle& style, const MapComparison& maps, Section& section) {
   const double total = maps.total();
-  section.blocks.emplace_back(
-      Text{fmt::format("{}; measured by {} samples, ± {} % of the area.", comparison_text(maps), maps.samples,
-                       error_text(100.0 * share(maps.error, total)))});
+  section.add(fmt::format("{}; measured by {} samples, ± {} % of the area.", comparison_text(maps),
+                          maps.samples, error_text(100.0 * share(maps.error, total))));
   Table table{{{"exact", true}, {"by maps", true}, {style.heading("area", FigureKind::area)}, {"share"}}, {}};
   for (const Region exact : k_regions) {
     for (const Region shown : k_regions) {
@@ -138,18 +137,26 @@ void add_maps(const FigureStyle& style, const MapComparison& maps, Section& sect
       table.rows.push_back(
           {{{std::string(region_name(exact))},
             {std::string(region_name(shown))},
-            number(style.text(FigureKind::area, area),
+            number(style, FigureKind::area,
                    fmt::format("/compare_maps/areas/{}/{}", region_name(exact), region_name(shown)), area),
             {share_text(area, total)}}});
     }
   }
-  section.blocks.emplace_back(std::move(table));
+  section.add(std::move(table));
 }
 
 }  // namespace
 
 Value number(std::string text, std::string key, double value) {
   return {std::move(text), std::move(key), value};
+}
+
+Value number(const FigureStyle& style, FigureKind kind, std::string key, double value) {
+  return number(style.text(kind, value), std::move(key), value);
+}
+
+Place entry_of(const Place& list, std::size_t number) {
+  return list ? Place(fmt::format("{}/{}", *list, number)) : std::nullopt;
 }
 
 Value cell(const FigureStyle& style, const FoundFigure& figure, const Place& place) {
@@ -235,17 +242,17 @@ Section regions_section(const ReportContext& context, const Classification& resu
       area("Near-vertical", result.near_vertical_area, "/areas/near_vertical",
            fmt::format("draft below {}°", figure(result.settings.tau_deg))),
       {"Lateral tolerance",
-       number(style.text(FigureKind::length, result.lateral_tolerance),
-              keys && keys->empty() ? "/lateral_tolerance" : "", result.lateral_tolerance),
+       number(style, FigureKind::length, keys && keys->empty() ? "/lateral_tolerance" : "",
+              result.lateral_tolerance),
        style.unit(FigureKind::length), "nothing narrower counts"},
       {"Two checks",
        {identity.agrees() ? "agree" : "disagree"},
        {},
        fmt::format("the shadow from both sides differs by {} {}, limit {}",
                    error_text(std::abs(identity.gap)), area_unit, error_text(identity.gap_limit))}};
-  section.blocks.emplace_back(std::move(grid));
+  section.add(std::move(grid));
   if (const std::string why = uncertainty_reason(result.uncertainty); !why.empty())
-    section.blocks.emplace_back(Text{why, TextLook::quiet});
+    section.add(why, TextLook::quiet);
   if (result.maps) add_maps(style, *result.maps, section);
   return section;
 }
@@ -267,9 +274,9 @@ Section part_section(const ReportContext& context, const std::vector<std::string
        health.closed ? "closed surface" : "the surface is not closed"},
       {"Bodies", number(fmt::format("{}", health.components), "/part/components", count(health.components))},
       {"Read as", {model.part.format}, {}, model.part.unit.empty() ? "the file names no unit" : ""}};
-  section.blocks.emplace_back(std::move(grid));
+  section.add(std::move(grid));
   if (!context.drawn()) return section;  // a terminal has seen them
-  for (const std::string& warning : warnings) section.blocks.emplace_back(Text{warning, TextLook::notice});
+  for (const std::string& warning : warnings) section.add(warning, TextLook::notice);
   return section;
 }
 
@@ -291,11 +298,11 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
   }
   Section section{"Draft", {}};
   if (context.drawn())
-    section.blocks.emplace_back(
-        Text{fmt::format("Area by draft angle, seen from the half that forms it. {} {} more have over {}°.",
-                         style.text(FigureKind::area, beyond), area_unit, figure(k_most_draft_deg)),
-             TextLook::quiet});
-  section.blocks.emplace_back(std::move(bars));
+    section.add(
+        fmt::format("Area by draft angle, seen from the half that forms it. {} {} more have over {}°.",
+                    style.text(FigureKind::area, beyond), area_unit, figure(k_most_draft_deg)),
+        TextLook::quiet);
+  section.add(std::move(bars));
   if (!draft.asked) return section;
   FigureGrid grid;
   for (const std::size_t half : {0U, 1U}) {
@@ -303,35 +310,34 @@ Section draft_section(const ReportContext& context, const DraftShown& draft) {
         {fmt::format("{} {}", half == 0 ? "Core" : "Cavity",
                      check.finishes.empty() ? fmt::format("below {}°", figure(check.required_deg))
                                             : std::string("with too little draft")),
-         number(style.text(FigureKind::area, check.below[half]),
-                fmt::format("/draft/below/{}/area", half == 0 ? "core" : "cavity"), check.below[half]),
+         number(style, FigureKind::area, fmt::format("/draft/below/{}/area", half == 0 ? "core" : "cavity"),
+                check.below[half]),
          area_unit, plural(check.faces_below[half], "face")});
   }
   if (check.reverse.facet)
-    grid.figures.push_back(
-        {"Reverse draft",
-         number(style.text(FigureKind::area, check.reverse.area), "/draft/reverse/area", check.reverse.area),
-         area_unit, fmt::format("at worst {:.3g}°", check.reverse.worst_deg)});
+    grid.figures.push_back({"Reverse draft",
+                            number(style, FigureKind::area, "/draft/reverse/area", check.reverse.area),
+                            area_unit, fmt::format("at worst {:.3g}°", check.reverse.worst_deg)});
   if (check.reverse.facet && check.reverse_undercut > 0.0)
-    grid.figures.push_back({"Undercut of these walls",
-                            number(style.text(FigureKind::area, check.reverse_undercut),
-                                   "/draft/reverse/undercut_area", check.reverse_undercut),
-                            area_unit, "leans back, and neither half reaches it"});
-  section.blocks.emplace_back(std::move(grid));
-  if (!check.finishes.empty()) section.blocks.emplace_back(finishes_table(style, check));
+    grid.figures.push_back(
+        {"Undercut of these walls",
+         number(style, FigureKind::area, "/draft/reverse/undercut_area", check.reverse_undercut), area_unit,
+         "leans back, and neither half reaches it"});
+  section.add(std::move(grid));
+  if (!check.finishes.empty()) section.add(finishes_table(style, check));
   Table walls = walls_table(context, check);
-  if (!walls.rows.empty()) section.blocks.emplace_back(std::move(walls));
+  if (!walls.rows.empty()) section.add(std::move(walls));
   return section;
 }
 
 Section repeat_section(const ReportContext& context, const Json& settings) {
   Section section{"To repeat it", {}, true};
-  section.blocks.emplace_back(Text{context.command, TextLook::command});
+  section.add(context.command, TextLook::command);
   Facts facts;
   facts.facts.emplace_back("moldlight", context.version);
   for (const auto& [key, value] : settings.items())
     facts.facts.emplace_back(spoken(key), json_value_text(value));
-  section.blocks.emplace_back(std::move(facts));
+  section.add(std::move(facts));
   return section;
 }
 

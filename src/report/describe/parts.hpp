@@ -14,8 +14,12 @@ namespace moldlight::report {
 
 /// A value that the JSON report has under `key`.
 [[nodiscard]] Value number(std::string text, std::string key, double value);
+/// Of a kind of figure, as it is written.
+[[nodiscard]] Value number(const FigureStyle& style, FigureKind kind, std::string key, double value);
 /// Where the JSON report has what a table lists; none where it has not.
 using Place = std::optional<std::string>;
+/// Of an entry of a list there.
+[[nodiscard]] Place entry_of(const Place& list, std::size_t number);
 /// A row's figure, which the JSON report has under `place` and its key.
 [[nodiscard]] Value cell(const FigureStyle& style, const FoundFigure& figure, const Place& place);
 /// Those that people see, among the details or not among them.
@@ -53,6 +57,9 @@ void take_verdict(const Verdict& verdict, Report& report);
 [[nodiscard]] Section draft_section(const ReportContext& context, const DraftShown& draft);
 /// Settings as a JSON report has them, version and command line.
 [[nodiscard]] Section repeat_section(const ReportContext& context, const Json& settings);
+
+/// Of pictures without backdrop and legend, which stand on light pages and on dark ones.
+[[nodiscard]] StillSettings still_settings(const ReportContext& context, const glm::ivec2& size);
 
 /// Draws still pictures of a classified part, without backdrop, for light pages and dark ones; empty ones
 /// for a text.

@@ -37,23 +37,22 @@ Section plan_section(const ActionsReport& found) {
   const FigureStyle style(found.model);
   Section section{"Side actions", {}};
   if (plan.undercuts.empty()) {
-    section.blocks.emplace_back(Text{"None."});
+    section.add("None.");
     return section;
   }
-  if (!plan.actions.empty()) section.blocks.emplace_back(actions_table(found.model, plan, "/actions"));
+  if (!plan.actions.empty()) section.add(actions_table(found.model, plan, "/actions"));
   for (const std::string& notice : {meetings_text(plan), rejected_text(found.model, plan)}) {
-    if (!notice.empty()) section.blocks.emplace_back(Text{notice, TextLook::notice});
+    if (!notice.empty()) section.add(notice, TextLook::notice);
   }
   if (!plan.unreleased.empty())
-    section.blocks.emplace_back(
-        Text{fmt::format("No action that was tried releases {} in {}: {}.",
-                         style.with_unit(FigureKind::area, plan.unreleased_area),
-                         plural(plan.unreleased.size(), "undercut"), numbers_text(plan.unreleased)),
-             TextLook::notice});
+    section.add(fmt::format("No action that was tried releases {} in {}: {}.",
+                            style.with_unit(FigureKind::area, plan.unreleased_area),
+                            plural(plan.unreleased.size(), "undercut"), numbers_text(plan.unreleased)),
+                TextLook::notice);
   if (plan.actions.empty()) return section;
   const std::string small = plan.optimal ? "No cheaper set of the actions that were tried releases as much."
                                          : "A cheaper set may exist: the search ended at its limit.";
-  section.blocks.emplace_back(Text{small, TextLook::quiet});
+  section.add(small, TextLook::quiet);
   return section;
 }
 
@@ -66,19 +65,18 @@ Section changes_section(const ActionsReport& found) {
     if (change != "-") table.rows.push_back({{{fmt::format("{}", k + 1)}, {with_minus(change)}}});
   }
   if (table.rows.empty()) {
-    section.blocks.emplace_back(Text{"No simple change of the part frees an undercut."});
+    section.add("No simple change of the part frees an undercut.");
     return section;
   }
-  section.blocks.emplace_back(Text{"These changes of the part would make the side actions unnecessary."});
+  section.add("These changes of the part would make the side actions unnecessary.");
   for (const SavingChange& change : best_changes(found.plan, found.settings.prices)) {
     std::string saved;
     for (const std::size_t action : change.actions)
       saved += (saved.empty() ? "" : ", ") + title(found.plan, action);
-    section.blocks.emplace_back(
-        Text{fmt::format("Changing undercut{} {} saves {}.", change.undercuts.size() == 1 ? "" : "s",
-                         numbers_text(change.undercuts), saved)});
+    section.add(fmt::format("Changing undercut{} {} saves {}.", change.undercuts.size() == 1 ? "" : "s",
+                            numbers_text(change.undercuts), saved));
   }
-  section.blocks.emplace_back(std::move(table));
+  section.add(std::move(table));
   return section;
 }
 
@@ -159,8 +157,7 @@ Table actions_table(const PartModel& model, const ActionPlan& plan, const Place&
     Row row{{{title(plan, k) + (feature.empty() ? "" : ", " + feature)},
              {with_minus(direction_words(action.direction))}},
             Mark{action_colour(k)}};
-    add_cells(style, found_figures(action_figures(), action),
-              keys ? Place(fmt::format("{}/{}", *keys, k)) : std::nullopt, row);
+    add_cells(style, found_figures(action_figures(), action), entry_of(keys, k), row);
     row.cells.push_back({with_minus(freedom_text(action, length_unit(model.part)))});
     row.cells.push_back({numbers_text(action.undercuts)});
     table.rows.push_back(std::move(row));
@@ -180,8 +177,7 @@ Table bodies_table(const PartModel& model, const ActionPlan& plan, const Place& 
     if (!action.body) continue;
     const auto turn = static_cast<std::size_t>(sequence_of(action.kind));
     Row row{{{title(plan, k)}, {std::string(k_turns[turn - 1])}}, Mark{action_colour(k)}};
-    add_cells(style, found_figures(body_figures(), action),
-              keys ? Place(fmt::format("{}/{}", *keys, k)) : std::nullopt, row);
+    add_cells(style, found_figures(body_figures(), action), entry_of(keys, k), row);
     row.cells.push_back({clear_text(action, plan, length_unit(model.part))});
     table.rows.push_back(std::move(row));
   }

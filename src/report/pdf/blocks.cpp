@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -33,13 +32,12 @@ struct Columns {
 };
 
 /// Pieces beside each other, `count` to a row.
-std::vector<Piece> side_by_side(std::vector<Piece> pieces, const Columns& columns, double gap) {
+std::vector<Piece> side_by_side(const std::vector<Piece>& pieces, const Columns& columns, double gap) {
   std::vector<Piece> rows;
+  const auto count = static_cast<std::ptrdiff_t>(columns.count);
   for (std::size_t k = 0; k < pieces.size(); k += columns.count) {
-    const std::vector<Piece> row(
-        std::make_move_iterator(pieces.begin() + static_cast<std::ptrdiff_t>(k)),
-        std::make_move_iterator(pieces.begin() +
-                                static_cast<std::ptrdiff_t>(std::min(pieces.size(), k + columns.count))));
+    const auto first = pieces.begin() + static_cast<std::ptrdiff_t>(k);
+    const std::vector<Piece> row(first, first + std::min<std::ptrdiff_t>(pieces.end() - first, count));
     const double height = std::ranges::max_element(row, {}, &Piece::height)->height;
     rows.push_back(
         {.height = height, .gap = gap, .draw = [row, columns](Canvas& canvas, const glm::dvec2& corner) {
@@ -114,7 +112,7 @@ std::vector<Piece> to_pieces(const Setting& setting, const FigureGrid& grid) {
   std::vector<Piece> pieces;
   for (const Figure& figure : grid.figures)
     pieces.push_back(figure_piece(setting.canvas, figure, columns.width));
-  return side_by_side(std::move(pieces), columns, 9.0);
+  return side_by_side(pieces, columns, 9.0);
 }
 
 std::vector<Piece> to_pieces(const Setting& setting, const ShareBar& bar) {
@@ -151,7 +149,7 @@ std::vector<Piece> to_pieces(const Setting& setting, const Pictures& pictures) {
                                    picture.caption,
                                    columns.count == 1 ? setting.room.y : k_small_picture_pt));
   }
-  return side_by_side(std::move(pieces), columns, 9.0);
+  return side_by_side(pieces, columns, 9.0);
 }
 
 std::vector<Piece> to_pieces(const Setting& setting, const DraftBars& bars) {
@@ -160,17 +158,11 @@ std::vector<Piece> to_pieces(const Setting& setting, const DraftBars& bars) {
 }
 
 TextStyle style_of(TextLook look) {
-  switch (look) {
-    case TextLook::quiet:
-      return {.size_px = k_small_pt, .ink = k_faint};
-    case TextLook::notice:
-      return {.size_px = k_body_pt, .ink = k_soft};
-    case TextLook::command:
-      return {.size_px = k_small_pt, .ink = k_ink};
-    case TextLook::normal:
-      break;
-  }
-  return {.size_px = k_body_pt, .ink = k_ink};
+  const bool small = look == TextLook::quiet || look == TextLook::command;
+  return {.size_px = small ? k_small_pt : k_body_pt,
+          .ink = look == TextLook::quiet    ? k_faint
+                 : look == TextLook::notice ? k_soft
+                                            : k_ink};
 }
 
 std::vector<Piece> to_pieces(const Setting& setting, const Text& text) {
@@ -217,7 +209,7 @@ std::vector<Piece> to_pieces(const Setting& setting, const Facts& facts) {
   const Columns columns(setting.room.x, 180.0, 2);
   std::vector<Piece> pieces;
   for (const auto& fact : facts.facts) pieces.push_back(fact_piece(setting.canvas, fact, columns.width));
-  pieces = side_by_side(std::move(pieces), columns, 0.0);
+  pieces = side_by_side(pieces, columns, 0.0);
   if (!pieces.empty()) pieces.front().gap = 6.0;
   return pieces;
 }
