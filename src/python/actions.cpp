@@ -11,6 +11,7 @@
 namespace moldlight::python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace {
 
@@ -43,12 +44,8 @@ py::list bodies_of_actions(const PythonActions& self, const py::object& /*progre
     const auto& body = self.plan().actions[k].body;
     if (!body) continue;
     const py::tuple mesh = mesh_arrays(*body->solid);
-    py::dict entry;
-    entry["name"] = action_name(self.plan(), k);
-    entry["action"] = k;
-    entry["vertices"] = mesh[0];
-    entry["faces"] = mesh[1];
-    list.append(entry);
+    list.append(py::dict("name"_a = action_name(self.plan(), k), "action"_a = k, "vertices"_a = mesh[0],
+                         "faces"_a = mesh[1]));
   }
   return list;
 }

@@ -2,12 +2,9 @@
 
 #include <cctype>
 #include <deque>
-#include <functional>
 #include <map>
 
 #include "base/shown_text.hpp"
-#include "classify/method_options.hpp"
-#include "classify/option_json.hpp"
 
 namespace moldlight::python {
 

@@ -15,6 +15,7 @@
 namespace moldlight::python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace {
 
@@ -49,11 +50,8 @@ SharedMold find_mold(const PythonPart& self, const py::object& direction, const 
 py::list loops(const PythonMold& self) {
   py::list list;
   for (const PartingLoop& loop : self.line().loops) {
-    py::dict entry;
-    entry["kind"] = std::string(loop_name(loop.kind));
-    entry["points"] = copy_of(loop.points);
-    entry["length"] = loop.length;
-    list.append(entry);
+    list.append(py::dict("kind"_a = std::string(loop_name(loop.kind)), "points"_a = copy_of(loop.points),
+                         "length"_a = loop.length));
   }
   return list;
 }
@@ -62,13 +60,8 @@ py::list bodies_of_mold(const PythonMold& self) {
   py::list list;
   for (const WrittenBody& body : self.written().bodies) {
     const py::tuple mesh = mesh_arrays(body.mesh);
-    py::dict entry;
-    entry["name"] = body.name;
-    entry["vertices"] = mesh[0];
-    entry["faces"] = mesh[1];
-    entry["volume"] = body.volume;
-    entry["closed"] = body.closed;
-    list.append(entry);
+    list.append(py::dict("name"_a = body.name, "vertices"_a = mesh[0], "faces"_a = mesh[1],
+                         "volume"_a = body.volume, "closed"_a = body.closed));
   }
   return list;
 }

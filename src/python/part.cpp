@@ -21,6 +21,7 @@ template <>
 inline constexpr bool k_bound<HealthReport> = true;
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace {
 
@@ -68,11 +69,8 @@ PythonPart read(const py::object& path, const py::kwargs& keywords) {
 py::list body_list(const PythonPart& self) {
   py::list bodies;
   for (const Body& body : self.model->part.bodies) {
-    py::dict entry;
-    entry["name"] = to_python(Json(body.name));
-    entry["first_facet"] = body.first_facet;
-    entry["facets"] = body.facet_count;
-    bodies.append(entry);
+    bodies.append(py::dict("name"_a = to_python(Json(body.name)), "first_facet"_a = body.first_facet,
+                           "facets"_a = body.facet_count));
   }
   return bodies;
 }

@@ -4,11 +4,9 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
-#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <pybind11/numpy.h>
 
 #include "base/error.hpp"
 #include "classify/option.hpp"
