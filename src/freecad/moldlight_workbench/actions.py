@@ -55,11 +55,8 @@ class ActionArrows(properties.Proxy):
     """Of a Part::FeaturePython: a solid arrow an action that moves straight, from the undercut along its way."""
 
     def add_properties(self, obj):
-        properties.add(obj, "App::PropertyLinkGlobal", "Actions", "Mold", translate("Moldlight", "The side actions"))
-        properties.add(obj, "App::PropertyLinkGlobal", "Regions", "Mold",
-                       translate("Moldlight", "The mold regions that it belongs to"))
-        obj.setEditorMode("Actions", 1)
-        obj.setEditorMode("Regions", 1)
+        properties.add_link(obj, "Actions", translate("Moldlight", "The side actions"))
+        properties.add_link(obj, "Regions", translate("Moldlight", "The mold regions that it belongs to"))
         properties.add_result(obj, "App::PropertyColorList", "Colours", "", hidden=True)
 
     def execute(self, obj):

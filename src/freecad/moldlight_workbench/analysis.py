@@ -17,9 +17,7 @@ class Analysis(properties.Proxy):
     _found = None  # (part, asked, answer)
 
     def add_properties(self, obj):
-        properties.add(obj, "App::PropertyLinkGlobal", "Regions", "Mold",
-                       translate("Moldlight", "The mold regions that it belongs to"))
-        obj.setEditorMode("Regions", 1)
+        properties.add_link(obj, "Regions", translate("Moldlight", "The mold regions that it belongs to"))
         properties.add_settings(obj, self.call, self.keys)
         properties.add_result(obj, "App::PropertyString", "Report",
                               translate("Moldlight", "The report of moldlight, as JSON"), hidden=True)

@@ -40,7 +40,7 @@ class Command:
             if known is None and reference is not None:
                 regions.set_reference(made, *reference)
             panel = self.make_panel(made) if known or task.compute(title, made) else None
-            if panel is None or not task.compute(title, *panel.shown()):
+            if panel is None or not task.compute(title, panel.shown):
                 body.Document.abortTransaction()
                 return None
         panel.refresh()

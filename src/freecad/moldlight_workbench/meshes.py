@@ -35,9 +35,7 @@ class ColouredMesh(properties.Proxy):
     """Of a Mesh::FeaturePython: what of a result is a mesh. Facets are in groups of Counts, coloured by Colours."""
 
     def add_properties(self, obj):
-        properties.add(obj, "App::PropertyLinkGlobal", "Regions", "Mold",
-                       translate("Moldlight", "The mold regions that it belongs to"))
-        obj.setEditorMode("Regions", 1)
+        properties.add_link(obj, "Regions", translate("Moldlight", "The mold regions that it belongs to"))
         properties.add_result(obj, "App::PropertyIntegerList", "Counts", "", hidden=True)
         properties.add_result(obj, "App::PropertyColorList", "Colours", "", hidden=True)
 

@@ -49,9 +49,8 @@ class MoldBody(meshes.ColouredMesh):
 
     def add_properties(self, obj):
         super().add_properties(obj)
-        properties.add(obj, "App::PropertyLinkGlobal", "Line", "Mold", translate("Moldlight", "The parting line"))
+        properties.add_link(obj, "Line", translate("Moldlight", "The parting line"))
         properties.add(obj, "App::PropertyString", "Body", "Mold", translate("Moldlight", "core, cavity or insert"))
-        obj.setEditorMode("Line", 1)
         obj.setEditorMode("Body", 1)
         properties.add_result(obj, "App::PropertyVolume", "Volume", translate("Moldlight", "Volume of the body"))
 

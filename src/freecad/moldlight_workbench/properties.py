@@ -28,6 +28,12 @@ def add_result(obj, kind, name, tip, hidden=False):
     obj.setEditorMode(name, 2 if hidden else 1)
 
 
+def add_link(obj, name, tip):
+    """A link to another result, which only the program sets."""
+    add(obj, "App::PropertyLinkGlobal", name, "Mold", tip)
+    obj.setEditorMode(name, 1)
+
+
 def setting_name(key):
     """The property of a setting: "tau_deg" is "Tau"."""
     words = key.split("_")
@@ -78,8 +84,20 @@ def _kind(entry):
     return "App::PropertyString"
 
 
-class Proxy:
-    """What the classes behind document objects have in common. Nothing of them is saved but their names."""
+class Unsaved:
+    """Of its objects FreeCAD saves nothing but the name of their class."""
+
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        return None
+
+    dumps, loads = __getstate__, __setstate__
+
+
+class Proxy(Unsaved):
+    """What the classes behind document objects have in common."""
 
     def __init__(self, obj):
         obj.Proxy = self
@@ -92,14 +110,6 @@ class Proxy:
             from . import views
 
             views.attach(obj)
-
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        return None
-
-    dumps, loads = __getstate__, __setstate__
 
 
 def quantity(value, kind):

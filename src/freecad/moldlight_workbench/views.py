@@ -5,7 +5,7 @@ import os
 from pivy import coin
 from PySide import QtCore
 
-from . import actions, meshes, parting, regions, shapes, sweeps
+from . import actions, meshes, parting, properties, regions, shapes, sweeps
 
 # Of a face that belongs to several regions, in tables and under its split mesh.
 MIXED_COLOUR = (0.95, 0.75, 0.05)
@@ -17,7 +17,7 @@ def icon(name):
     return os.path.join(ICONS, name + ".svg")
 
 
-class View:
+class View(properties.Unsaved):
     """Of a result. `picture` names its icon."""
 
     picture = "moldlight"
@@ -59,14 +59,6 @@ class View:
 
         show(lambda: self.panel(view.Object))
         return True
-
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        return None
-
-    dumps, loads = __getstate__, __setstate__
 
 
 class RegionsView(View):

@@ -23,10 +23,6 @@ class ActionsPanel(task.Panel):
                                      translate("Moldlight", "Depth"), translate("Moldlight", "Side")])
         self.refresh()
 
-    def shown(self):
-        """The results that it shows."""
-        return (self.found,)
-
     def refresh(self):
         def length(value, unit="length"):
             return "–" if value is None else quantity(value, unit)

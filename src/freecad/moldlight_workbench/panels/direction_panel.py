@@ -42,10 +42,6 @@ class DirectionPanel(task.Panel):
         self.ask(self.regions)
         self.refresh_current()
 
-    def shown(self):
-        """The results that it shows."""
-        return (self.found,)
-
     def refresh(self):
         table = sweeps.direction_table(self.found)
         rows = [(directions.text_of(direction, 3), quantity(undercut, "area"), task.percent(share), why)

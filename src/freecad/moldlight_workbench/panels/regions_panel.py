@@ -96,10 +96,6 @@ class RegionsPanel(task.Panel):
             self.document.recompute()
         self.refresh()
 
-    def shown(self):
-        """The results that it shows."""
-        return (self.regions,)
-
     def refresh(self):
         obj = self.regions
         self.typed.setText(directions.text_of(obj.Direction))

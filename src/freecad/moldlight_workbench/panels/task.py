@@ -77,7 +77,7 @@ class Panel:
 
         self.title = translate("Moldlight", self.title)
         if not begun:
-            begin(regions.Document, self.title)
+            regions.Document.openTransaction(self.title)
         self.regions = regions
         self.document = regions.Document
         self.form = QtGui.QWidget()
@@ -98,6 +98,11 @@ class Panel:
         self.document.recompute()
         FreeCADGui.Control.closeDialog()
         return True
+
+    @property
+    def shown(self):
+        """The result that it shows: one of the regions', or they themselves."""
+        return getattr(self, "found", self.regions)
 
     def ask(self, *results):
         """compute() under the panel's title."""
@@ -146,15 +151,10 @@ def compute(title, *results):
     return not failures
 
 
-def begin(document, title):
-    """Opens the transaction that a panel's OK commits."""
-    document.openTransaction(title)
-
-
 @contextmanager
 def transaction(document, title):
     """A transaction that is taken back if its body raises; a panel's OK or Cancel ends it else."""
-    begin(document, title)
+    document.openTransaction(title)
     try:
         yield
     except BaseException:
