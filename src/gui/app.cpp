@@ -1,14 +1,11 @@
 #include "gui/app.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "classify/option.hpp"
-#include "gui/store/files.hpp"
-#include "gui/view/direction.hpp"
 #include "mesh/length_unit.hpp"
 
 namespace moldlight::gui {
@@ -50,9 +47,7 @@ App::App(const gl::Context& context, AppOptions options)
 App::~App() = default;
 
 void App::open(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
-  const std::string part = error ? path : absolute.lexically_normal().string();
+  const std::string part = absolute_path(path);
   if (batch::is_batch(part)) return open_batch(part);
   const bool again = state_.model && part == state_.path;
   PartNotes notes = again ? PartNotes() : notes_of(part);
@@ -210,12 +205,7 @@ bool App::close_innermost(bool typing, Edits& edits) {
   UiMemory& memory = imgui_.memory();
   if (memory.typing_id != 0 || memory.popups.close_one()) return true;
   Dialogs& dialogs = edits.dialogs;
-  Dialogs none;
-  none.panels_hidden = dialogs.panels_hidden;
-  if (!(dialogs == none)) {
-    dialogs = none;
-    return true;
-  }
+  if (const Dialogs none = dialogs.none(); std::exchange(dialogs, none) != none) return true;
   if (typing || !memory.keyboard.focused()) return typing;
   memory.keyboard.give_to(0);
   return true;

@@ -62,8 +62,6 @@ class App {
  public:
   App(const gl::Context& context, AppOptions options);
   ~App();
-  App(const App&) = delete;
-  App& operator=(const App&) = delete;
 
   /// Starts to load a part, or a batch's table; what is shown stays until it is there.
   void open(const std::string& path);

@@ -13,9 +13,7 @@ namespace moldlight::gui {
 namespace fs = std::filesystem;
 
 void App::compare_with(const std::string& path) {
-  std::error_code error;
-  const fs::path absolute = fs::absolute(path, error);
-  const std::string other = error ? path : absolute.lexically_normal().string();
+  const std::string other = absolute_path(path);
   if (loading_part()) {
     compared_next_ = other;
   } else if (state_.model) {
@@ -29,10 +27,8 @@ void App::take_dropped(const std::vector<std::string>& paths, Edits& edits) {
   const bool one = paths.size() == 1 && state_.model && !batch::is_batch(paths.front());
   std::error_code ignored;
   if (one && !fs::equivalent(paths.front(), state_.path, ignored)) {
-    Dialogs asked;
-    asked.panels_hidden = edits.dialogs.panels_hidden;
-    asked.dropped = paths.front();
-    edits.dialogs = asked;
+    edits.dialogs = edits.dialogs.none();
+    edits.dialogs.dropped = paths.front();
     return;
   }
   for (const std::string& path : paths) edits.ask(&Commands::open_part, path);

@@ -175,6 +175,12 @@ struct Dialogs {
   std::optional<bool> large_map;       // true: of +d
   std::optional<std::string> picture;  // to be saved, with the path that is proposed
 
+  /// All closed.
+  [[nodiscard]] Dialogs none() const {
+    Dialogs closed;
+    closed.panels_hidden = panels_hidden;
+    return closed;
+  }
   bool operator==(const Dialogs&) const = default;
 };
 

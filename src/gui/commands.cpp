@@ -1,6 +1,8 @@
 #include "gui/commands.hpp"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <utility>
 
 #include <GLFW/glfw3.h>
@@ -123,6 +125,23 @@ void colour_by_draft(const Pressed& p) {
   if (on != (p.edits.step == Step::draft)) p.edits.enter_or_leave(Step::draft);
 }
 
+void take_direction(const Pressed& p) {
+  p.edits.ask(p.key.key == 'N' ? &Commands::take_normal : &Commands::take_axis);
+}
+
+void undo_or_redo(const Pressed& p) {
+  p.edits.ask(p.key.shift || p.key.key == 'Y' ? &Commands::redo : &Commands::undo);
+}
+
+void measure(const Pressed& p) {
+  p.edits.measuring = p.edits.measuring ? std::nullopt : std::optional(Measuring{});
+}
+
+void ask_for_part(const Pressed& p) {
+  p.edits.dialogs.browser = true;
+  p.edits.dialogs.browser_compares = false;
+}
+
 /// Views as on the number pad of other programs; with Ctrl from the other side.
 void look_from_side(const Pressed& p) {
   const auto [view, opposite] =
@@ -149,136 +168,106 @@ struct Shortcut {
   std::function<void(const Pressed&)> act = {};
 };
 
-const std::vector<Shortcut>& shortcuts() {
-  using enum HelpLine::Group;
+void sweep_or_cancel(const Pressed& p) {
+  p.edits.enter(Step::direction);
+  p.edits.ask(p.state.sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep);
+}
+
+void enlarge_map(const Pressed& p) {
+  p.edits.enter(Step::direction);
+  p.edits.sweep_choices.large_ball = !p.edits.sweep_choices.large_ball;
+}
+
+void open_mold(const Pressed& p) {
+  if (p.key.key == GLFW_KEY_SPACE) return p.edits.ask(&Commands::stop_opening);
+  p.look.open_mold = p.look.open_mold < 1.0 ? 1.0 : 0.0;
+  p.edits.ask(&Commands::fit_view);
+}
+
+using Shortcuts = std::vector<Shortcut>;
+
+/// By HelpLine::Group.
+const std::array<Shortcuts, 3>& shortcuts() {
   using enum When;
+  using C = Commands;
   using P = const Pressed&;
-  const auto asks = [](void (Commands::*command)()) { return [=](P p) { p.edits.ask(command); }; };
-  static const std::vector<Shortcut> k_shortcuts = {
-      {{direction, "Drag the arrow's tip", "turn the parting direction"}},
-      {{direction, "Ctrl while dragging", "snap to the part's own directions"}},
-      {{direction, "Esc", "undo the drag, close what is open"}, always, {GLFW_KEY_ESCAPE}, escape},
-      {{direction, "Double click", "direction: normal of the face there"}},
-      {{direction, "Click", "choose the face there"}},
-      {{direction, "Alt + double click", "direction: axis of that round wall"}},
-      {{direction, "N / A", "the same for the face under the cursor"},
-       part_no_ctrl,
-       {'N', 'A'},
-       [](P p) { p.edits.ask(p.key.key == 'N' ? &Commands::take_normal : &Commands::take_axis); }},
-      {{direction, "Arrow keys", "turn by 1°, with Shift by 0.1°"},
+  const auto asks = [](void (C::*command)()) { return [=](P p) { p.edits.ask(command); }; };
+  const auto switches = [](bool Dialogs::*shown) {
+    return [=](P p) { p.edits.dialogs.*shown = !(p.edits.dialogs.*shown); };
+  };
+  static const Shortcuts k_direction = {
+      {{"Drag the arrow's tip", "turn the parting direction"}},
+      {{"Ctrl while dragging", "snap to the part's own directions"}},
+      {{"Esc", "undo the drag, close what is open"}, always, {GLFW_KEY_ESCAPE}, escape},
+      {{"Double click", "direction: normal of the face there"}},
+      {{"Click", "choose the face there"}},
+      {{"Alt + double click", "direction: axis of that round wall"}},
+      {{"N / A", "the same for the face under the cursor"}, part_no_ctrl, {'N', 'A'}, take_direction},
+      {{"Arrow keys", "turn by 1°, with Shift by 0.1°"},
        part,
        {GLFW_KEY_LEFT, GLFW_KEY_RIGHT, GLFW_KEY_UP, GLFW_KEY_DOWN},
        nudge},
-      {{direction, "X", "flip"}, part_no_ctrl, {'X'}, [](P p) { p.direction = tidy(-p.direction.given()); }},
-      {{direction, "B", "bookmark the direction"}, part_no_ctrl, {'B'}, keep_bookmark},
-      {{direction, "Drag a side action's tip", "give it a direction of your own"}},
-      {{direction, "Delete", "forget that direction"},
-       part_no_ctrl,
-       {GLFW_KEY_DELETE},
-       forget_side_direction},
-      {{direction, "V", "move the face at the cursor to the other half"},
+      {{"X", "flip"}, part_no_ctrl, {'X'}, [](P p) { p.direction = tidy(-p.direction.given()); }},
+      {{"B", "bookmark the direction"}, part_no_ctrl, {'B'}, keep_bookmark},
+      {{"Drag a side action's tip", "give it a direction of your own"}},
+      {{"Delete", "forget that direction"}, part_no_ctrl, {GLFW_KEY_DELETE}, forget_side_direction},
+      {{"V", "move the face at the cursor to the other half"},
        part_no_ctrl,
        {'V'},
-       asks(&Commands::move_hovered_face)},
-      {{direction, "Ctrl + click", "the same for the face there"}},
-      {{direction, "W", "sweep: find directions, or cancel"},
-       part_no_ctrl,
-       {'W'},
-       [](P p) {
-         p.edits.enter(Step::direction);
-         p.edits.ask(p.state.sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep);
-       }},
-      {{direction, "C", "compare with the best, the next …"}, part_no_ctrl, {'C'}, compare_next},
-      {{direction, "M", "map of directions, large"},
-       part_no_ctrl,
-       {'M'},
-       [](P p) {
-         p.edits.enter(Step::direction);
-         p.edits.sweep_choices.large_ball = !p.edits.sweep_choices.large_ball;
-       }},
-
-      {{view, "1 … 7", "the steps: part, direction … report"},
+       asks(&C::move_hovered_face)},
+      {{"Ctrl + click", "the same for the face there"}},
+      {{"W", "sweep: find directions, or cancel"}, part_no_ctrl, {'W'}, sweep_or_cancel},
+      {{"C", "compare with the best, the next …"}, part_no_ctrl, {'C'}, compare_next},
+      {{"M", "map of directions, large"}, part_no_ctrl, {'M'}, enlarge_map},
+  };
+  static const Shortcuts k_view = {
+      {{"1 … 7", "the steps: part, direction … report"},
        part_no_ctrl,
        {'1', '2', '3', '4', '5', '6', '7'},
        [](P p) { p.edits.enter(static_cast<Step>(p.key.key - '1')); }},
-      {{view, "Shift + 1 / 3 / 7", "front, right, top; with Ctrl the opposite"},
+      {{"Shift + 1 / 3 / 7", "front, right, top; with Ctrl the opposite"},
        part,
        {GLFW_KEY_KP_1, GLFW_KEY_KP_3, GLFW_KEY_KP_7},
        look_from_side},
-      {{view, "0", "along the parting direction"},
-       part,
-       {'0', GLFW_KEY_KP_0},
-       asks(&Commands::look_along_direction)},
-      {{view, "U", "the undercuts, from the best point of view"},
-       part_no_ctrl,
-       {'U'},
-       asks(&Commands::look_at_undercuts)},
-      {{view, "Shift + 5", "parallel or perspective"},
-       part,
-       {GLFW_KEY_KP_5},
-       asks(&Commands::toggle_projection)},
-      {{view, "F", "fit the part"}, part, {'F'}, asks(&Commands::fit_view)},
-      {{view, "O / Space", "open or close the mold, or stop it"},
-       part_no_ctrl,
-       {'O', GLFW_KEY_SPACE},
-       [](P p) {
-         if (p.key.key == GLFW_KEY_SPACE) return p.edits.ask(&Commands::stop_opening);
-         p.look.open_mold = p.look.open_mold < 1.0 ? 1.0 : 0.0;
-         p.edits.ask(&Commands::fit_view);
-       }},
-      {{view, "G", "the mold, or back"},
-       part_no_ctrl,
-       {'G'},
-       [](P p) { p.edits.enter_or_leave(Step::mold); }},
-      {{view, "S", "section across, along the direction, none"},
+      {{"0", "along the parting direction"}, part, {'0', GLFW_KEY_KP_0}, asks(&C::look_along_direction)},
+      {{"U", "the undercuts, from the best point of view"}, part_no_ctrl, {'U'}, asks(&C::look_at_undercuts)},
+      {{"Shift + 5", "parallel or perspective"}, part, {GLFW_KEY_KP_5}, asks(&C::toggle_projection)},
+      {{"F", "fit the part"}, part, {'F'}, asks(&C::fit_view)},
+      {{"O / Space", "open or close the mold, or stop it"}, part_no_ctrl, {'O', GLFW_KEY_SPACE}, open_mold},
+      {{"G", "the mold, or back"}, part_no_ctrl, {'G'}, [](P p) { p.edits.enter_or_leave(Step::mold); }},
+      {{"S", "section across, along the direction, none"},
        part_no_ctrl,
        {'S'},
        [](P p) { p.look.section = next_section(p.look.section); }},
-      {{view, "R", "measure between two places, or end it"},
-       part_no_ctrl,
-       {'R'},
-       [](P p) { p.edits.measuring = p.edits.measuring ? std::nullopt : std::optional(Measuring{}); }},
-      {{view, "D", "colour by region or by draft angle"}, part_no_ctrl, {'D'}, colour_by_draft},
-      {{view, "P", "palette"}, part_no_ctrl, {'P'}, [](P p) { take_the_other(p.look.palette); }},
-      {{view, "T", "dark or light"}, always, {'T'}, [](P p) { take_the_other(p.edits.window.theme); }},
-
-      {{program, "Ctrl+O", "open a part, or a batch's folder"},
-       with_ctrl,
-       {'O'},
-       [](P p) {
-         p.edits.dialogs.browser = true;
-         p.edits.dialogs.browser_compares = false;
-       }},
-      {{program, "Ctrl+D", "compare with another revision, or leave it"},
+      {{"R", "measure between two places, or end it"}, part_no_ctrl, {'R'}, measure},
+      {{"D", "colour by region or by draft angle"}, part_no_ctrl, {'D'}, colour_by_draft},
+      {{"P", "palette"}, part_no_ctrl, {'P'}, [](P p) { take_the_other(p.look.palette); }},
+      {{"T", "dark or light"}, always, {'T'}, [](P p) { take_the_other(p.edits.window.theme); }},
+  };
+  static const Shortcuts k_program = {
+      {{"Ctrl+O", "open a part, or a batch's folder"}, with_ctrl, {'O'}, ask_for_part},
+      {{"Ctrl+D", "compare with another revision, or leave it"},
        with_ctrl,
        {'D'},
-       asks(&Commands::compare_or_leave)},
-      {{program, "L", "the parts of the batch that is open"},
+       asks(&C::compare_or_leave)},
+      {{"L", "the parts of the batch that is open"},
        always,
        {'L'},
        [](P p) { p.edits.dialogs.batch = p.state.batch && !p.edits.dialogs.batch; }},
-      {{program, "Ctrl+E", "export"},
+      {{"Ctrl+E", "export"},
        with_ctrl,
        {'E'},
        [](P p) { p.edits.dialogs.exporting = p.state.model != nullptr; }},
-      {{program, "F12", "picture with legend"}, part_no_ctrl, {GLFW_KEY_F12}, asks(&Commands::take_picture)},
-      {{program, "Ctrl+Z / Ctrl+Y", "undo, redo"},
-       with_ctrl,
-       {'Z', 'Y'},
-       [](P p) { p.edits.ask(p.key.shift || p.key.key == 'Y' ? &Commands::redo : &Commands::undo); }},
-      {{program, "Tab, Space, arrows", "go to a control, press, change it"}},
-      {{program, "Ctrl+Tab", "hide the panels"},
-       with_ctrl,
-       {GLFW_KEY_TAB},
-       [](P p) { p.edits.dialogs.panels_hidden = !p.edits.dialogs.panels_hidden; }},
-      {{program, "H", "this sheet; type to search"},
-       always,
-       {'H', GLFW_KEY_F1},
-       [](P p) { p.edits.dialogs.help = !p.edits.dialogs.help; }},
-      {{program, "Double click a value", "type it"}},
-      {{program, "Right click", "reset, copy"}},
-      {{program, "Ctrl+Q", "quit"}, with_ctrl, {'Q'}, asks(&Commands::quit)},
+      {{"F12", "picture with legend"}, part_no_ctrl, {GLFW_KEY_F12}, asks(&C::take_picture)},
+      {{"Ctrl+Z / Ctrl+Y", "undo, redo"}, with_ctrl, {'Z', 'Y'}, undo_or_redo},
+      {{"Tab, Space, arrows", "go to a control, press, change it"}},
+      {{"Ctrl+Tab", "hide the panels"}, with_ctrl, {GLFW_KEY_TAB}, switches(&Dialogs::panels_hidden)},
+      {{"H", "this sheet; type to search"}, always, {'H', GLFW_KEY_F1}, switches(&Dialogs::help)},
+      {{"Double click a value", "type it"}},
+      {{"Right click", "reset, copy"}},
+      {{"Ctrl+Q", "quit"}, with_ctrl, {'Q'}, asks(&C::quit)},
   };
+  static const std::array<Shortcuts, 3> k_shortcuts = {k_direction, k_view, k_program};
   return k_shortcuts;
 }
 
@@ -297,17 +286,17 @@ bool ends_program(const KeyPress& press) { return press.ctrl && press.key == 'Q'
 void apply_shortcut(KeyPress press, const AppState& state, Edits& edits) {
   // Keyboards without a number pad have its keys with Shift.
   if (press.shift && press.key >= '0' && press.key <= '9') press.key += GLFW_KEY_KP_0 - '0';
-  for (const Shortcut& each : shortcuts()) {
-    const bool meant = std::ranges::find(each.keys, press.key) != each.keys.end();
-    if (meant && acts(each.when, press, state)) return each.act({press, state, edits});
-  }
+  for (const Shortcuts& group : shortcuts())
+    for (const Shortcut& each : group) {
+      const bool meant = std::ranges::find(each.keys, press.key) != each.keys.end();
+      if (meant && acts(each.when, press, state)) return each.act({press, state, edits});
+    }
 }
 
 std::vector<HelpLine> help_lines(HelpLine::Group group) {
   std::vector<HelpLine> lines;
-  for (const Shortcut& each : shortcuts()) {
-    if (each.help.group == group) lines.push_back(each.help);
-  }
+  std::ranges::transform(shortcuts()[static_cast<std::size_t>(group)], std::back_inserter(lines),
+                         &Shortcut::help);
   return lines;
 }
 

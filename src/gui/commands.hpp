@@ -121,7 +121,7 @@ void apply_shortcut(KeyPress press, const AppState& state, Edits& edits);
 
 /// A line of the help sheet.
 struct HelpLine {
-  enum class Group : std::uint8_t { direction, view, program } group;
+  enum class Group : std::uint8_t { direction, view, program };
   const char *keys, *meaning;
 };
 /// Of keys and mouse; how the mouse moves the camera is the user's choice and not among them.

@@ -4,7 +4,6 @@
 #include <cfloat>
 #include <initializer_list>
 #include <optional>
-#include <utility>
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>

@@ -4,7 +4,6 @@
 #include <thread>
 #include <utility>
 
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
 #include "base/error.hpp"
@@ -17,13 +16,11 @@ namespace {
 constexpr int k_most_settling_frames = 600;
 constexpr std::chrono::minutes k_patience(10);
 
-/// ImGui's renderer finds its functions through GLX's or EGL's table, which OSMesa has no part in.
-std::unique_ptr<gl::Context> egl_context() { return moldlight::create_context(Backend::egl); }
-
 }  // namespace
 
+// ImGui's renderer finds its functions through GLX's or EGL's table, which OSMesa has no part in.
 OffscreenWindow::OffscreenWindow(const OffscreenOptions& options)
-    : context_(egl_context()), content_scale_(options.content_scale) {
+    : context_(moldlight::create_context(Backend::egl)), content_scale_(options.content_scale) {
   target_ = std::make_unique<gl::ColourTarget>(context_->functions(), options.size);
   AppOptions app = options;
   app.make_context = create_context;

@@ -120,8 +120,6 @@ class WindowContext final : public gl::Context {
   Events events_;
 };
 
-bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
-
 void WindowContext::listen() {
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
     events_of(window).input.move_mouse(glfwGetTime(), glm::vec2(x, y));
@@ -142,7 +140,7 @@ void WindowContext::listen() {
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int modifiers) {
     InputQueue& input = events_of(window).input;
     const double now_s = glfwGetTime();
-    if (is_modifier(key)) {
+    if (key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER) {
       // What GLFW says of modifiers is from before this key.
       const auto held = [&](int left, int right) {
         return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;

@@ -1,5 +1,5 @@
 // Cards of the directions that the ranking recommends: what they say and where they lead.
-#include "gui/panels/direction_cards.hpp"
+#include "gui/panels/panels.hpp"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -9,7 +9,6 @@
 
 #include "gui/panels/panels.hpp"
 #include "gui/view/mold_view.hpp"
-#include "gui/view/side_arrow.hpp"
 #include "gui/window_with_part.hpp"
 #include "io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"

@@ -16,52 +16,51 @@ constexpr float k_fewest_rows = 2.0F;
 
 BottomHeader::BottomHeader(const Ui& ui, const char* name)
     : ui_(ui),
-      start_(from_im(ImGui::GetCursorScreenPos())),
-      width_(ImGui::GetContentRegionAvail().x),
+      start_(cursor_at()),
+      width_(room_left()),
       left_(start_.x + text_size(ui.fonts.strong, name).x + ui.px(12)),
       right_(start_.x + width_) {
-  draw_text(*ImGui::GetWindowDrawList(), {ui.fonts.strong, ui.colours->text},
-            {start_.x, middle() - 0.5F * ui.fonts.strong.size}, name);
+  draw_text(ui.strong(), {start_.x, middle() - 0.5F * ui.fonts.strong.size}, name);
 }
 
 void BottomHeader::place(float width) {
   right_ -= width;
-  ImGui::SetCursorScreenPos(ImVec2(right_, start_.y));
+  put_cursor({right_, start_.y});
   right_ -= ui_.px(k_item_gap);
 }
 
 void BottomHeader::progress(double share, float width) {
   right_ -= ui_.px(k_bar_gap);
   place(ui_.px(width));
-  ImGui::SetCursorScreenPos(ImVec2(ImGui::GetCursorScreenPos().x, middle() - ui_.px(2)));
+  put_cursor({ImGui::GetCursorScreenPos().x, middle() - ui_.px(2)});
   progress_bar(ui_, share, ui_.px(width));
 }
 
 void BottomHeader::end(std::string_view text, ImU32 colour, std::string_view tip) {
   const float room = right_ - left_ - ui_.px(8);
   if (!tip.empty()) {
-    ImGui::SetCursorScreenPos(ImVec2(left_, start_.y));
+    put_cursor({left_, start_.y});
     ImGui::Dummy(ImVec2(std::max(room, 1.0F), ui_.px(k_row_height)));
     tooltip(ui_, {}, tip);
   }
-  draw_text(*ImGui::GetWindowDrawList(), {ui_.fonts.body, colour},
-            {left_, middle() - 0.5F * ui_.fonts.body.size}, fitted(ui_.fonts.body, text, room));
-  ImGui::SetCursorScreenPos(ImVec2(start_.x, start_.y + ui_.px(k_row_height)));
+  draw_text({ui_.fonts.body, colour}, {left_, middle() - 0.5F * ui_.fonts.body.size},
+            fitted(ui_.fonts.body, text, room));
+  put_cursor({start_.x, start_.y + ui_.px(k_row_height)});
   ImGui::Dummy(ImVec2(width_, 0.0F));
 }
 
 void draw_headings(const Ui& ui, std::span<const ListColumn> columns) {
-  const glm::vec2 corner = from_im(ImGui::GetCursorScreenPos());
+  const glm::vec2 corner = cursor_at();
   for (const ListColumn& column : columns) {
     const float x = corner.x + ui.px(column.at), size = text_size(ui.fonts.small, column.heading).x;
     const glm::vec2 at(column.figure ? x - size : x, corner.y + ui.px(3));
-    draw_text(*ImGui::GetWindowDrawList(), {ui.fonts.small, ui.colours->muted}, at, column.heading);
+    draw_text(ui.note(), at, column.heading);
     if (column.help.empty()) continue;
-    ImGui::SetCursorScreenPos(im(at));
+    put_cursor(at);
     ImGui::Dummy(ImVec2(size, ui.fonts.small.size));
     tooltip(ui, {}, column.help);
   }
-  ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + ui.px(k_heading_height)));
+  put_cursor({corner.x, corner.y + ui.px(k_heading_height)});
 }
 
 void draw_cell(const Ui& ui, const ScreenBox& row, const ListColumn& column, const Lettering& lettering,
@@ -70,15 +69,13 @@ void draw_cell(const Ui& ui, const ScreenBox& row, const ListColumn& column, con
   if (column.figure) {
     draw_text_to(lettering, x, y, text);
   } else {
-    draw_text(*ImGui::GetWindowDrawList(), lettering, {x, y},
-              room > 0.0F ? fitted(lettering.font, text, room) : std::string(text));
+    draw_text(lettering, {x, y}, room > 0.0F ? fitted(lettering.font, text, room) : std::string(text));
   }
 }
 
 void draw_second_line(const Ui& ui, const ScreenBox& row, float left, std::string_view text, float beside) {
   const float x = row.min.x + ui.px(left);
-  draw_text(*ImGui::GetWindowDrawList(), {ui.fonts.small, ui.colours->muted},
-            {x, row.max.y - ui.px(6) - ui.fonts.small.size},
+  draw_text(ui.note(), {x, row.max.y - ui.px(6) - ui.fonts.small.size},
             fitted(ui.fonts.small, text, row.max.x - ui.px(beside) - x));
 }
 
@@ -109,7 +106,7 @@ std::optional<std::size_t> draw_list(const Ui& ui, const RowList& list, RowCurso
   const float fits = std::max(std::floor(room / row), k_fewest_rows);
   const float height = std::min(fits, static_cast<float>(list.count)) * row;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
-  ImGui::BeginChild(list.id, ImVec2(ImGui::GetContentRegionAvail().x, height), false,
+  ImGui::BeginChild(list.id, ImVec2(room_left(), height), false,
                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings);
   cursor.scroll(row, height);
   ImGuiListClipper clipper;
@@ -124,12 +121,12 @@ std::optional<std::size_t> draw_list(const Ui& ui, const RowList& list, RowCurso
 }
 
 Row list_row(const Ui& ui, const RowSpec& spec) {
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(spec.height);
+  const glm::vec2 start = cursor_at();
+  const float width = room_left(), height = ui.px(spec.height);
   Row row{.box = {start, start + glm::vec2(width, height)}};
   row.clicked = ImGui::InvisibleButton(spec.id, ImVec2(width - ui.px(spec.beside), height));
   ui.memory->controls[spec.id] = {row.box.min, from_im(ImGui::GetItemRectMax())};
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   if (spec.chosen || ImGui::IsItemHovered())
     fill(list, row.box, spec.chosen ? ui.colours->field_active : ui.colours->field, ui.px(6));
   if (spec.marked)

@@ -8,7 +8,7 @@
 namespace moldlight::gui {
 
 bool begin_dialog(const Ui& ui, const char* name, const glm::vec2& size) {
-  const glm::vec2 window = from_im(ImGui::GetIO().DisplaySize);
+  const glm::vec2 window = screen_size();
   place_window(glm::vec2(0.0F), glm::vec2(0.0F));
   ImGui::SetNextWindowSize(im(window));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->scrim);
@@ -83,7 +83,7 @@ void open_popup_below_item(const Ui& ui, const char* id) {
 }
 
 void open_popup_at_mouse(const Ui& ui, const char* id) {
-  const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
+  const glm::vec2 mouse = mouse_at();
   ui.memory->popups.open(ImGui::GetID(id), {mouse, mouse});
 }
 
@@ -92,7 +92,7 @@ bool begin_popup(const Ui& ui, const char* id, float width) {
   const ImGuiID popup = ImGui::GetID(id);
   if (popups.depth_ >= popups.open_.size() || popups.open_[popups.depth_].id != popup) return false;
   Popups::Open& open = popups.open_[popups.depth_++];
-  const glm::vec2 size = open.box.max - open.box.min, window = from_im(ImGui::GetIO().DisplaySize);
+  const glm::vec2 size = open.box.max - open.box.min, window = screen_size();
   glm::vec2 at(open.beside.min.x, open.beside.max.y);
   if (at.y + size.y > window.y && open.beside.min.y > size.y) at.y = open.beside.min.y - size.y;
   place_window(glm::max(glm::min(at, window - size), glm::vec2(0.0F)), glm::vec2(0.0F));

@@ -183,12 +183,11 @@ bool PanelLayout::begin(const Ui& ui, const char* name, const char* title) {
 }
 
 void PanelLayout::draw_title(const Ui& ui, Panel& each) const {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const float middle = each.min.y + 0.5F * ui.px(k_title_height);
   ui.memory->controls["panel " + each.title] = {each.min, each.max};
   list.PushClipRect(im(each.min), im(each.max));
-  draw_text(list, {ui.fonts.strong, ui.colours->text},
-            {each.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size}, each.title);
+  draw_text(list, ui.strong(), {each.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size}, each.title);
   const glm::vec2 chevron(each.max.x - ui.px(18), middle), reach(ui.px(12));
   const bool hovered =
       ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(im(chevron - reach), im(chevron + reach), false);

@@ -2,7 +2,6 @@
 // of the window's size and scale: a panel keeps its distance to the nearer edges.
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,12 +70,6 @@ class PanelLayout {
   /// Folds a panel along the bottom up, by its name, or down; then the others there are folded up: more than
   /// one would leave little of the part.
   void fold_bottom(std::string_view name, bool collapsed);
-  /// Whether a panel that was drawn in this frame or the last is not folded up.
-  [[nodiscard]] bool unfolded(std::string_view name) const {
-    return std::ranges::any_of(
-        panels_, [&](const Panel& each) { return each.place.name == name && !each.place.collapsed; });
-  }
-
   /// Whether panels on the sides begin folded up to their titles, which is not remembered; a click opens one.
   void keep_sides_folded(bool folded) {
     pending_ = pending_ || folded != sides_folded_;

@@ -35,12 +35,11 @@ void draw_item_text(ImU32 colour, std::string_view text) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
   ImGui::PopStyleColor();
-  note_text(*ImGui::GetWindowDrawList(), colour,
-            {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())}, text);
+  note_text(window_list(), colour, item_box(), text);
 }
 
 void draw_text_to(const Lettering& lettering, float right, float top, std::string_view text) {
-  draw_text(*ImGui::GetWindowDrawList(), lettering, {right - text_size(lettering.font, text).x, top}, text);
+  draw_text(lettering, {right - text_size(lettering.font, text).x, top}, text);
 }
 
 std::string grouped(std::string_view number) {

@@ -39,6 +39,12 @@ struct SizedFont {
   float size = 0.0F;
 };
 
+/// A font, and the colour that it is written in.
+struct Lettering {
+  SizedFont font;
+  ImU32 colour = 0;
+};
+
 struct Fonts {
   SizedFont body, strong, small, title;
 };
@@ -131,18 +137,34 @@ struct Ui {
 
   /// Whole pixels of a length in layout units.
   [[nodiscard]] float px(float units) const { return std::round(units * scale); }
+  [[nodiscard]] Lettering text() const { return {fonts.body, colours->text}; }
+  [[nodiscard]] Lettering muted() const { return {fonts.body, colours->muted}; }
+  [[nodiscard]] Lettering strong() const { return {fonts.strong, colours->text}; }
+  [[nodiscard]] Lettering small() const { return {fonts.small, colours->text}; }
+  [[nodiscard]] Lettering note() const { return {fonts.small, colours->muted}; }
 };
 
 [[nodiscard]] inline ImVec2 im(const glm::vec2& v) { return {v.x, v.y}; }
 [[nodiscard]] inline glm::vec2 from_im(const ImVec2& v) { return {v.x, v.y}; }
 
+// Of the window that is open, pixels: where the next item goes, how wide it may be; what is drawn on it.
+[[nodiscard]] inline glm::vec2 cursor_at() { return from_im(ImGui::GetCursorScreenPos()); }
+inline void put_cursor(const glm::vec2& at) { ImGui::SetCursorScreenPos(im(at)); }
+[[nodiscard]] inline float room_left() { return ImGui::GetContentRegionAvail().x; }
+[[nodiscard]] inline ImDrawList& window_list() { return *ImGui::GetWindowDrawList(); }
+/// What is drawn on the scene, behind the panels.
+[[nodiscard]] inline ImDrawList& scene_list() { return *ImGui::GetBackgroundDrawList(); }
+[[nodiscard]] inline glm::vec2 mouse_at() { return from_im(ImGui::GetIO().MousePos); }
+[[nodiscard]] inline glm::vec2 screen_size() { return from_im(ImGui::GetIO().DisplaySize); }
+/// The item just drawn.
+[[nodiscard]] inline ScreenBox item_box() {
+  return {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+}
+
 /// A GL texture as ImGui takes it.
 [[nodiscard]] inline ImTextureID texture_id(unsigned name) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name));
 }
-
-/// For a table's row that is one control, with others on it.
-inline constexpr ImGuiSelectableFlags k_row_below_controls = ImGuiSelectableFlags_AllowItemOverlap;
 
 /// Pictures of the shadow maps from +d and -d: GL textures, 0 for none.
 struct MapTextures {
@@ -158,17 +180,15 @@ class FontScope {
   FontScope& operator=(const FontScope&) = delete;
 };
 
-/// A font, and the colour that it is written in.
-struct Lettering {
-  SizedFont font;
-  ImU32 colour = 0;
-};
 /// Size of a text in a font, pixels.
 [[nodiscard]] glm::vec2 text_size(const SizedFont& font, std::string_view text);
 /// Remembers a text that was drawn by other means than the functions below.
 void note_text(const ImDrawList& list, ImU32 colour, const ScreenBox& box, std::string_view text);
 /// Draws a text with its upper left corner there.
 void draw_text(ImDrawList& list, const Lettering& lettering, const glm::vec2& at, std::string_view text);
+inline void draw_text(const Lettering& lettering, const glm::vec2& at, std::string_view text) {
+  draw_text(window_list(), lettering, at, text);
+}
 /// As an item of the window that is open, in its present font; wrapped where that is asked for.
 void draw_item_text(ImU32 colour, std::string_view text);
 /// Into the window that is open, ending at `right`.

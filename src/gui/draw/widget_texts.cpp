@@ -16,10 +16,9 @@ constexpr float k_least_wrap = 80.0F;  // layout units; narrower text is not wra
 }  // namespace
 
 void row_text(const Ui& ui, const Lettering& lettering, float width, std::string_view text) {
-  const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+  const glm::vec2 at = cursor_at();
   ImGui::Dummy(ImVec2(width, ui.px(k_row_height)));
-  draw_text(*ImGui::GetWindowDrawList(), lettering,
-            {at.x, at.y + 0.5F * (ui.px(k_row_height) - lettering.font.size)}, text);
+  draw_text(lettering, {at.x, at.y + 0.5F * (ui.px(k_row_height) - lettering.font.size)}, text);
 }
 
 void draw_tagged_text(const Ui& ui, ImDrawList& list, const TaggedText& tagged) {
@@ -54,7 +53,7 @@ std::vector<std::string> lines_within(const SizedFont& font, std::string_view te
 void hint(const Ui& ui, std::string_view text) {
   const FontScope small(ui.fonts.small);
   // A window that fits its contents has no width in its first frame: wrapped at that, it would grow tall.
-  const bool wraps = ImGui::GetContentRegionAvail().x > ui.px(k_least_wrap);
+  const bool wraps = room_left() > ui.px(k_least_wrap);
   if (wraps) ImGui::PushTextWrapPos(0.0F);
   draw_item_text(ui.colours->muted, text);
   if (wraps) ImGui::PopTextWrapPos();
@@ -72,24 +71,24 @@ glm::vec2 tag_size(const Ui& ui, std::string_view text) {
 }
 
 void draw_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, ImU32 colour) {
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImDrawList& list = scene_list();
   const glm::vec2 half = 0.5F * tag_size(ui, text);
   list.AddRectFilled(im(middle - half), im(middle + half), ui.colours->panel, half.y);
   draw_text(list, {ui.fonts.small, colour}, middle - 0.5F * text_size(ui.fonts.small, text), text);
 }
 
 void draw_whole_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, ImU32 colour) {
-  const glm::vec2 room = 0.5F * tag_size(ui, text), window = from_im(ImGui::GetIO().DisplaySize);
+  const glm::vec2 room = 0.5F * tag_size(ui, text), window = screen_size();
   if (glm::all(glm::greaterThan(middle - room, glm::vec2(0.0F))) &&
       glm::all(glm::lessThan(middle + room, window)))
     draw_tag(ui, middle, text, colour);
 }
 
 void progress_bar(const Ui& ui, double fraction, float width) {
-  const glm::vec2 min = from_im(ImGui::GetCursorScreenPos());
+  const glm::vec2 min = cursor_at();
   const float height = ui.px(4);
   ImGui::Dummy(ImVec2(width, height));
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   list.AddRectFilled(im(min), ImVec2(min.x + width, min.y + height), ui.colours->field_hovered,
                      0.5F * height);
   if (fraction < 0.0) return;

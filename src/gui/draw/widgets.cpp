@@ -15,15 +15,15 @@ namespace moldlight::gui {
 namespace {
 
 Pressable begin_row(const Ui& ui, std::string_view label, float width = 0.0F) {
-  if (width <= 0.0F) width = ImGui::GetContentRegionAvail().x;
+  if (width <= 0.0F) width = room_left();
   return pressable(ui, std::string(label).c_str(), {width, ui.px(k_row_height)});
 }
 
 /// Around a control that has the keyboard.
 void draw_focus_ring(const Ui& ui, const ScreenBox& box) {
   const glm::vec2 gap(1.5F * ui.scale);
-  ImGui::GetWindowDrawList()->AddRect(im(box.min - gap), im(box.max + gap), ui.colours->accent, ui.px(7), 0,
-                                      2.0F * ui.scale);
+  window_list().AddRect(im(box.min - gap), im(box.max + gap), ui.colours->accent, ui.px(7), 0,
+                        2.0F * ui.scale);
   if (!ui.memory->keyboard.arrived()) return;
   const ImGuiStyle& style = ImGui::GetStyle();
   const float top = ImGui::GetWindowPos().y + style.WindowPadding.y,
@@ -40,24 +40,22 @@ int value_steps(Keyboard& keyboard) {
 }
 
 void draw_row_text(const Lettering& lettering, float left, const Pressable& row, std::string_view text) {
-  draw_text(*ImGui::GetWindowDrawList(), lettering, {left, row.box.centre().y - 0.5F * lettering.font.size},
-            text);
+  draw_text(lettering, {left, row.box.centre().y - 0.5F * lettering.font.size}, text);
 }
 
 void draw_label(const Ui& ui, const Pressable& row, const RowLabel& label) {
   const std::string_view shown = label.text.substr(0, label.text.find("##"));
   float left = row.box.min.x + ui.px(8);
   if (label.modified) {
-    ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(left + ui.px(2), row.box.centre().y), 2.5F * ui.scale,
-                                                ui.colours->text);
+    window_list().AddCircleFilled(ImVec2(left + ui.px(2), row.box.centre().y), 2.5F * ui.scale,
+                                  ui.colours->text);
     left += ui.px(9);
   }
   draw_row_text({ui.fonts.body, label.modified ? ui.colours->text : ui.colours->muted}, left, row, shown);
 }
 
 void draw_value(const Ui& ui, const Pressable& row, std::string_view text) {
-  draw_row_text({ui.fonts.body, ui.colours->text},
-                row.box.max.x - ui.px(8) - text_size(ui.fonts.body, text).x, row, text);
+  draw_row_text(ui.text(), row.box.max.x - ui.px(8) - text_size(ui.fonts.body, text).x, row, text);
 }
 
 double snapped(double value, const SliderSpec& spec) {
@@ -145,8 +143,6 @@ void fill(ImDrawList& list, const ScreenBox& box, ImU32 colour, float rounding) 
   list.AddRectFilled(im(box.min), im(box.max), colour, rounding);
 }
 
-ScreenBox item_box() { return {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())}; }
-
 void name_item(const Ui& ui, const std::string& name) { ui.memory->controls[name] = item_box(); }
 
 bool has_keyboard(const Ui& ui, std::string_view id, const ScreenBox& box) {
@@ -175,7 +171,7 @@ bool text_field(const Ui& ui, const char* id, std::span<char> text, const TextSp
   const ImGuiID control = ImGui::GetID(id);
   const bool focused = keyboard.visit(control);
   if (spec.starts || (focused && keyboard.arrived())) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(spec.width > 0.0F ? spec.width : ImGui::GetContentRegionAvail().x);
+  ImGui::SetNextItemWidth(spec.width > 0.0F ? spec.width : room_left());
   const bool changed = ImGui::InputTextWithHint(id, spec.hint, text.data(), text.size());
   if (ImGui::IsItemActivated()) keyboard.give_to(control);
   if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter))) keyboard.enter();
@@ -193,17 +189,15 @@ bool text_field(const Ui& ui, const char* id, std::span<char> text, const TextSp
 bool menu_item(const Ui& ui, std::string_view label, const MenuItemSpec& spec) {
   const std::string_view shown = label.substr(0, label.find("##"));
   ImGui::BeginDisabled(!spec.enabled);
-  const float width =
-      std::max(text_size(ui.fonts.body, shown).x + ui.px(16), ImGui::GetContentRegionAvail().x);
+  const float width = std::max(text_size(ui.fonts.body, shown).x + ui.px(16), room_left());
   const Pressable row = begin_row(ui, label, width);
   ImGui::EndDisabled();
-  if (row.hovered || row.focused)
-    fill(*ImGui::GetWindowDrawList(), row.box, ui.colours->field_hovered, ui.px(6));
+  if (row.hovered || row.focused) fill(window_list(), row.box, ui.colours->field_hovered, ui.px(6));
   draw_row_text({ui.fonts.body, spec.enabled ? ui.colours->text : ui.colours->muted},
                 row.box.min.x + ui.px(8), row, shown);
   if (spec.chosen)
-    draw_icon(*ImGui::GetWindowDrawList(), Icon::check, {row.box.max.x - ui.px(14), row.box.centre().y},
-              ui.px(12), ui.colours->text);
+    draw_icon(window_list(), Icon::check, {row.box.max.x - ui.px(14), row.box.centre().y}, ui.px(12),
+              ui.colours->text);
   if (row.clicked) ui.memory->popups.close_all();
   return row.clicked;
 }
@@ -213,7 +207,7 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
   const ImGuiID id = ImGui::GetID(id_text.c_str());
   const double before = value;
   if (ui.memory->typing_id == id) {
-    const auto typed = typed_row(ui, id, ImGui::GetContentRegionAvail().x);
+    const auto typed = typed_row(ui, id, room_left());
     if (typed) value = std::clamp(*typed, spec.min, spec.max);
     return value != before;
   }
@@ -230,7 +224,7 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
       value = snapped(value_at((mouse - row.box.min.x) / (row.box.max.x - row.box.min.x), spec), spec);
     }
   }
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const float rounding = ui.px(6);
   fill(list, row.box, field_colour(ui, row), rounding);
   const float end =
@@ -268,13 +262,12 @@ bool number_field(const Ui& ui, const char* id_text, double& value, const Number
     memory.type_in = 0;
     start_typing(memory, id, real_text(value));
   }
-  fill(*ImGui::GetWindowDrawList(), row.box, field_colour(ui, row), ui.px(6));
+  fill(window_list(), row.box, field_colour(ui, row), ui.px(6));
   const double shown = std::abs(value) < 0.5 * std::pow(10.0, -spec.decimals) ? 0.0 : value;
   const std::string text =
       shown == 0.0 && !spec.unset.empty() ? spec.unset : fmt::format("{:.{}f}", shown, spec.decimals);
   const float room = row.box.max.x - row.box.min.x - text_size(ui.fonts.body, text).x - ui.px(20);
-  draw_row_text({ui.fonts.body, ui.colours->muted}, row.box.min.x + ui.px(8), row,
-                fitted(ui.fonts.body, spec.label, room));
+  draw_row_text(ui.muted(), row.box.min.x + ui.px(8), row, fitted(ui.fonts.body, spec.label, room));
   draw_value(ui, row, text);
   if (row.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   return false;
@@ -283,7 +276,7 @@ bool number_field(const Ui& ui, const char* id_text, double& value, const Number
 bool toggle(const Ui& ui, const RowLabel& label, bool& on) {
   const Pressable row = begin_row(ui, label.text);
   if (row.clicked) on = !on;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   if (row.hovered) fill(list, row.box, ui.colours->field, ui.px(6));
   draw_label(ui, row, label);
   const float height = ui.px(14), width = ui.px(24);
@@ -299,15 +292,15 @@ bool toggle(const Ui& ui, const RowLabel& label, bool& on) {
 
 bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_view> words, int& index) {
   ImGui::PushID(label.text.data(), label.text.data() + label.text.size());
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(k_row_height);
+  const glm::vec2 start = cursor_at();
+  const float width = room_left(), height = ui.px(k_row_height);
   const auto width_of = [&](std::string_view word) { return text_size(ui.fonts.body, word).x + ui.px(12); };
   float total = 0.0F;
   for (const std::string_view word : words) total += width_of(word);
   // Words that have no room beside the name stand below it, in as many lines as they need.
   const bool below = text_size(ui.fonts.body, label.text).x + ui.px(label.modified ? 17 : 8) + total > width;
   glm::vec2 at = below ? start + glm::vec2(ui.px(2), height) : glm::vec2(start.x + width - total, start.y);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   draw_label(ui, {.box = {start, start + glm::vec2(width, height)}}, label);
   if (!below) list.AddRectFilled(im(at), im(start + glm::vec2(width, height)), ui.colours->field, ui.px(6));
   const int before = index;
@@ -320,7 +313,7 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
   for (std::size_t k = 0; k < words.size(); ++k) {
     const float word_width = width_of(words[k]);
     if (below && at.x + word_width > start.x + width) at = {start.x + ui.px(2), at.y + height};
-    ImGui::SetCursorScreenPos(im(at));
+    put_cursor(at);
     ImGui::PushID(static_cast<int>(k));
     const bool clicked = ImGui::InvisibleButton("word", ImVec2(word_width, height));
     const bool chosen = static_cast<int>(k) == index;
@@ -348,7 +341,7 @@ bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
   const Pressable row = begin_row(ui, label, spec.width > 0.0F ? spec.width : text_width + ui.px(24));
   const bool filled = spec.strong || spec.chosen;
   const ImU32 back = filled ? faded(ui.colours->accent, row.hovered ? 0.85F : 1.0F) : field_colour(ui, row);
-  fill(*ImGui::GetWindowDrawList(), row.box, back, ui.px(6));
+  fill(window_list(), row.box, back, ui.px(6));
   draw_row_text({ui.fonts.body, filled ? ui.colours->on_accent : ui.colours->text},
                 0.5F * (row.box.min.x + row.box.max.x - text_width), row, shown);
   const bool enabled = ImGui::GetStyle().Alpha >= 1.0F;
@@ -358,9 +351,9 @@ bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
 bool icon_button(const Ui& ui, const IconButtonSpec& spec) {
   const Pressable row = begin_row(ui, spec.id, ui.px(k_row_height));
   if (row.hovered || spec.chosen) {
-    fill(*ImGui::GetWindowDrawList(), row.box, field_colour(ui, row), ui.px(6));
+    fill(window_list(), row.box, field_colour(ui, row), ui.px(6));
   }
-  draw_icon(*ImGui::GetWindowDrawList(), spec.icon, 0.5F * (row.box.min + row.box.max), ui.px(14),
+  draw_icon(window_list(), spec.icon, 0.5F * (row.box.min + row.box.max), ui.px(14),
             faded(row.hovered ? ui.colours->text : ui.colours->muted, ImGui::GetStyle().Alpha));
   tooltip(ui, {}, spec.tip);
   return row.clicked;
@@ -370,10 +363,10 @@ bool chip(const Ui& ui, std::string_view label, bool on, bool first) {
   const float width = text_size(ui.fonts.body, label).x + ui.px(18);
   if (!first) {
     ImGui::SameLine(0.0F, ui.px(4));
-    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+    if (room_left() < width) ImGui::NewLine();
   }
   const Pressable row = begin_row(ui, label, width);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const float rounding = 0.5F * (row.box.max.y - row.box.min.y);
   if (on || row.hovered) {
     fill(list, row.box, on ? ui.colours->field_active : ui.colours->field, rounding);
@@ -405,7 +398,7 @@ bool disclosure(const Ui& ui, std::string_view label, bool open) {
   const Pressable row = begin_row(ui, "disclosure");
   const ImU32 colour = row.hovered ? ui.colours->text : ui.colours->muted;
   draw_row_text({ui.fonts.small, colour}, row.box.min.x + ui.px(8), row, label);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const glm::vec2 at(row.box.min.x + ui.px(16) + text_size(ui.fonts.small, label).x, row.box.centre().y);
   const float half = ui.px(3), lift = (open ? -0.5F : 0.5F) * half;
   const ImVec2 points[3] = {ImVec2(at.x - half, at.y - lift), ImVec2(at.x, at.y + lift),

@@ -30,8 +30,7 @@ Pressable pressable(const Ui& ui, const char* id, const glm::vec2& size);
 [[nodiscard]] ImU32 field_colour(const Ui& ui, const Pressable& item);
 /// `rounding` of the corners, pixels.
 void fill(ImDrawList& list, const ScreenBox& box, ImU32 colour, float rounding);
-/// Where the item just drawn is; and makes it a control of this name.
-[[nodiscard]] ScreenBox item_box();
+/// Makes the item just drawn a control of this name.
 void name_item(const Ui& ui, const std::string& name);
 
 /// To be called for each other control, with its place: whether it has the keyboard, which a ring shows.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <sstream>
 
@@ -43,8 +42,6 @@ std::optional<double> value_of(const PartResult& row, BatchColumn column) {
   const auto value = k_batch_columns[static_cast<std::size_t>(column)].value;
   return value != nullptr ? value(row) : std::nullopt;
 }
-
-bool is_text(BatchColumn column) { return column == BatchColumn::part || column == BatchColumn::state; }
 
 /// The settings among these that a table of options has.
 template <typename S>

@@ -23,6 +23,10 @@ struct BatchTable {
 
 /// What the table is sorted by.
 enum class BatchColumn : std::uint8_t { part, state, undercut, share, undercuts, side_actions, unreleased };
+/// Else of figures.
+[[nodiscard]] inline bool is_text(BatchColumn column) {
+  return column == BatchColumn::part || column == BatchColumn::state;
+}
 [[nodiscard]] std::string_view batch_column_name(BatchColumn column);
 /// As the table shows it; empty where the row has none.
 [[nodiscard]] std::string batch_cell(const batch::PartResult& row, BatchColumn column);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -24,9 +23,6 @@ constexpr double k_between_frames_s = 0.05;
 constexpr std::size_t k_most_a_frame = 300;
 constexpr double k_least_known_s = 0.5, k_least_known_share = 0.04;
 constexpr int k_niceness = 5;
-
-/// The window's own thread goes first. On Linux this is a matter of the calling thread and those it starts.
-void lower_priority() { static_cast<void>(setpriority(PRIO_PROCESS, 0, k_niceness)); }
 
 /// For every direction: without what was said of single undercuts of one.
 ActionSettings general(ActionSettings actions) {
@@ -73,7 +69,9 @@ void WindowSweep::start(const AppState& state, SweepState& sweep, double now_s, 
   sweep.running.emplace();
   job_.start(
       [model = model_, settings = settings_, scored = scored_by_job_, by_itself](const Progress& progress) {
-        lower_priority();
+        // The window's own thread goes first: on Linux this is a matter of the calling thread and those it
+        // starts.
+        static_cast<void>(setpriority(PRIO_PROCESS, 0, k_niceness));
         Questions questions{.sweep = settings};
         questions.sweep_shows.evaluated = [&scored](const EvaluatedDirection& direction) {
           const std::lock_guard lock(scored->mutex);

@@ -99,7 +99,7 @@ void draw_pin(const PanelContext& context, std::size_t undercut) {
   const ActionPin* const pin = pin_for(settings, found);
   const std::string id = fmt::format("pin {}", undercut + 1);
   const Pressable cell = pressable(ui, id.c_str(), {ui.px(k_pin_width), ui.px(22)});
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   if (cell.hovered || pin != nullptr)
     fill(list, cell.box, field_colour(ui, {.hovered = cell.hovered}), ui.px(6));
   const float top = cell.box.centre().y - 0.5F * ui.fonts.small.size;
@@ -127,8 +127,7 @@ void draw_own_directions(const PanelContext& context) {
   const Ui& ui = context.ui;
   auto& own = context.edits.settings.actions.side_directions;
   if (own.empty()) return;
-  row_text(ui, {ui.fonts.small, ui.colours->muted}, text_size(ui.fonts.small, "by hand").x + ui.px(12),
-           "by hand");
+  row_text(ui, ui.note(), text_size(ui.fonts.small, "by hand").x + ui.px(12), "by hand");
   const ActionsState& actions = context.state.actions;
   for (std::size_t k = 0; k < own.size(); ++k) {
     const bool taken =
@@ -209,8 +208,7 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
   if (action != nullptr) {
     draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, normal}, facts(action->kind).singular, room);
     const Colour body = action_colour(static_cast<std::size_t>(action - plan.actions.data()));
-    ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(at - ui.px(10), upper.centre().y), 4.0F * ui.scale,
-                                                packed(body));
+    window_list().AddCircleFilled(ImVec2(at - ui.px(10), upper.centre().y), 4.0F * ui.scale, packed(body));
     lines = {
         fmt::format("{}{}travel {}", deep, deep.empty() ? "" : " · ", length(action->travel)),
         detail_text(*action, unit) + shared_text(*action, undercut) + others_text(plan, undercut, *action)};
@@ -226,7 +224,7 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
         {row.min, row.min + glm::vec2(row.max.x - row.min.x, ui.px(42.0F + 15.0F * static_cast<float>(k)))},
         24.0F, lines[k]);
   tooltip(ui, fmt::format("Undercut {}", undercut + 1), tip_text(state, undercut));
-  ImGui::SetCursorScreenPos(ImVec2(row.max.x - ui.px(k_pin_width + 2), row.min.y + ui.px(1)));
+  put_cursor({row.max.x - ui.px(k_pin_width + 2), row.min.y + ui.px(1)});
   draw_pin(context, undercut);
 }
 

@@ -13,8 +13,6 @@ namespace {
 constexpr float k_part_row = 28.0F, k_row_with_picture = 54.0F, k_thumbnail_width = 68.0F;  // layout units
 constexpr float k_state_width = 74.0F, k_figure_width = 104.0F;
 
-bool is_left(BatchColumn column) { return column == BatchColumn::part || column == BatchColumn::state; }
-
 }  // namespace
 
 void BatchPanel::draw(const PanelContext& context, const BatchPicture& picture) {
@@ -41,7 +39,7 @@ void BatchPanel::draw(const PanelContext& context, const BatchPicture& picture) 
               changed;
     ImGui::SameLine();
     const auto& counts = table->counts;
-    row_text(ui, {ui.fonts.small, ui.colours->muted}, ImGui::GetContentRegionAvail().x,
+    row_text(ui, ui.note(), room_left(),
              fmt::format("{}: {} done, {} failed, {} missing", table->manifest.command, counts.done,
                          counts.failed, counts.missing));
     if (order_.filter != filter_.data()) {
@@ -71,28 +69,27 @@ float BatchPanel::right_of(const Ui& ui, std::size_t column, float width) const 
 
 void BatchPanel::draw_headings(const PanelContext& context) {
   const Ui& ui = context.ui;
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
-  const float width = ImGui::GetContentRegionAvail().x - ui.px(12), height = ui.px(k_row_height);
+  const glm::vec2 start = cursor_at();
+  const float width = room_left() - ui.px(12), height = ui.px(k_row_height);
   float left = pictures_ ? ui.px(k_thumbnail_width) : 0.0F;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const BatchColumn column = columns_[k];
     const float right = right_of(ui, k, width);
-    ImGui::SetCursorScreenPos(ImVec2(start.x + left, start.y));
+    put_cursor({start.x + left, start.y});
     const std::string name(batch_column_name(column));
     const Pressable heading = pressable(ui, ("by " + name).c_str(), {right - left, height});
     if (heading.clicked) {
-      order_.descending = order_.column == column ? !order_.descending : !is_left(column);
+      order_.descending = order_.column == column ? !order_.descending : !is_text(column);
       order_.column = column;
     }
     const bool chosen = order_.column == column;
     const std::string text = name + (chosen ? (order_.descending ? " ↓" : " ↑") : "");
-    const float inset = is_left(column) ? 0.0F : right - left - text_size(ui.fonts.small, text).x;
-    draw_text(*ImGui::GetWindowDrawList(),
-              {ui.fonts.small, heading.hovered || chosen ? ui.colours->text : ui.colours->muted},
+    const float inset = is_text(column) ? 0.0F : right - left - text_size(ui.fonts.small, text).x;
+    draw_text({ui.fonts.small, heading.hovered || chosen ? ui.colours->text : ui.colours->muted},
               {start.x + left + inset, start.y + 0.5F * (height - ui.fonts.small.size)}, text);
     left = right;
   }
-  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height));
+  put_cursor({start.x, start.y + height});
   ImGui::Dummy(ImVec2(width, 0.0F));
 }
 
@@ -129,13 +126,12 @@ void BatchPanel::draw_rows(const PanelContext& context, const BatchPicture& pict
 void BatchPanel::draw_row(const PanelContext& context, std::size_t index, const BatchPicture& picture) {
   const Ui& ui = context.ui;
   const batch::PartResult& row = table_->rows[rows_[index]];
-  const float width = ImGui::GetContentRegionAvail().x,
-              height = ui.px(pictures_ ? k_row_with_picture : k_part_row);
+  const float width = room_left(), height = ui.px(pictures_ ? k_row_with_picture : k_part_row);
   const Pressable line = pressable(ui, fmt::format("row {}", row.row).c_str(), {width, height});
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const glm::vec2 min = line.box.min, max = line.box.max;
   if (line.hovered || static_cast<int>(index) == selected_)
-    list.AddRectFilled(im(min), im(max), ui.colours->field_hovered, ui.px(4));
+    fill(list, {min, max}, ui.colours->field_hovered, ui.px(4));
   if (row.picture) {
     const glm::vec2 at = min + glm::vec2(0.0F, ui.px(3));
     draw_picture(list, picture(row.key), {at, at + glm::vec2(ui.px(64), ui.px(48))}, ui.px(4));
@@ -153,7 +149,7 @@ void BatchPanel::draw_row(const PanelContext& context, std::size_t index, const 
     const ImU32 colour = row.state == batch::ResultState::done ? ui.colours->text
                          : is_reason                           ? ui.colours->warning
                                                                : ui.colours->muted;
-    const float inset = is_left(column) || is_reason ? 0.0F : right - left - text_size(ui.fonts.body, text).x;
+    const float inset = is_text(column) || is_reason ? 0.0F : right - left - text_size(ui.fonts.body, text).x;
     draw_text(list, {ui.fonts.body, colour},
               {min.x + left + inset, 0.5F * (min.y + max.y - ui.fonts.body.size)}, text);
     if (is_reason) break;

@@ -33,12 +33,12 @@ void draw_comparison(const PanelContext& context) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   place_window({0.5F * window.x, ui.px(k_bar_height + 8)}, {0.5F, 0.0F});
   ImGui::Begin("##Comparison", nullptr, k_card_window);
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
+  const glm::vec2 start = cursor_at();
   const auto add = [&](const std::array<std::string, 4>& texts, ImU32 colour, ImU32 swatch = 0) {
-    const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+    const glm::vec2 at = cursor_at();
     ImGui::Dummy(ImVec2(ui.px(k_comparison_width), ui.px(k_figure_row)));
     const glm::vec2 min(at.x, at.y + ui.px(5));
-    fill(*ImGui::GetWindowDrawList(), {min, min + glm::vec2(ui.px(10))}, swatch, ui.px(3));
+    fill(window_list(), {min, min + glm::vec2(ui.px(10))}, swatch, ui.px(3));
     for (std::size_t k = 0; k < texts.size(); ++k)
       draw_cell(ui, item_box(), k_comparison_columns[k],
                 {k == 3 ? ui.fonts.strong : ui.fonts.body, k == 3 ? ui.colours->text : colour}, texts[k]);
@@ -61,7 +61,7 @@ void draw_comparison(const PanelContext& context) {
              : "…"},
       ui.colours->muted);
   ImGui::PopStyleVar();
-  ImGui::SetCursorScreenPos(ImVec2(start.x - ui.px(6), start.y - ui.px(3)));
+  put_cursor({start.x - ui.px(6), start.y - ui.px(3)});
   if (icon_button(ui, {"close comparison", Icon::close, "Back to one picture (Esc)"})) {
     context.edits.sweep_choices.compared.reset();
   }

@@ -43,11 +43,11 @@ void draw_row(const Ui& ui, const char* name, const std::string& figure, const s
   ImGui::InvisibleButton(name, ImVec2(ui.px(k_card_width), ui.px(k_card_row)));
   const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
   ui.memory->controls[fmt::format("measured {}", name)] = {min, max};
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (ImGui::IsItemHovered()) list.AddRectFilled(im(min), im(max), ui.colours->field, ui.px(4));
+  ImDrawList& list = window_list();
+  if (ImGui::IsItemHovered()) fill(list, {min, max}, ui.colours->field, ui.px(4));
   const float top = 0.5F * (min.y + max.y - ui.fonts.body.size);
-  draw_text(list, {ui.fonts.body, ui.colours->muted}, {min.x + ui.px(4), top}, name);
-  draw_text_to({ui.fonts.strong, ui.colours->text}, max.x - ui.px(4), top, figure);
+  draw_text(list, ui.muted(), {min.x + ui.px(4), top}, name);
+  draw_text_to(ui.strong(), max.x - ui.px(4), top, figure);
   copy_menu(ui, name, exact);
 }
 
@@ -58,7 +58,7 @@ void draw_card(const PanelContext& context, const MeasuredPair& pair, const glm:
   const glm::vec2 size(
       ui.px(k_card_width) + 2.0F * padding.x,
       2.0F * padding.y + static_cast<float>(rows) * (ui.px(k_card_row) + spacing.y) - spacing.y);
-  const FreeArea area = context.layout.free_area(context.state.dialogs.panels_hidden);
+  const FreeArea area = context.free_area();
   place_window(area.beside(beside, size, ui.px(k_from_line)), {0.0F, 0.0F});
   ImGui::Begin("Measured", nullptr, k_card_window);
   const auto length = [&](const char* name, double value) {
@@ -132,8 +132,8 @@ void draw_cursor_readout(const PanelContext& context) {
     size.x = std::max(size.x, 2.0F * padding + text_size(first ? ui.fonts.strong : ui.fonts.body, line).x +
                                   (first ? swatch + ui.px(6) : 0.0F));
   }
-  const FreeArea area = context.layout.free_area(state.dialogs.panels_hidden);
-  const glm::vec2 cursor = from_im(ImGui::GetIO().MousePos);
+  const FreeArea area = context.free_area();
+  const glm::vec2 cursor = mouse_at();
   glm::vec2 at = area.beside(cursor, size, ui.px(k_from_cursor));
   ui.memory->controls["readout"] = {at, at + size};
   ImDrawList& list = *ImGui::GetForegroundDrawList();
@@ -159,7 +159,7 @@ void draw_measuring(const PanelContext& context) {
   std::vector<MeasuredPlace> places = state.measuring->places;
   const bool clicked = places.size() == 2;
   if (places.size() == 1 && state.hover) places.push_back(measured_place(*state.model, state.hover->point));
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImDrawList& list = scene_list();
   const glm::ivec2 window(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
   std::vector<glm::vec2> seen;
   for (const MeasuredPlace& place : places) {
@@ -176,7 +176,7 @@ void draw_measuring(const PanelContext& context) {
     list.AddCircleFilled(im(end), ui.px(3), ui.colours->text);
   }
   if (seen.size() < 2) {
-    const FreeArea area = context.layout.free_area(state.dialogs.panels_hidden);
+    const FreeArea area = context.free_area();
     draw_tag(ui, {area.middle_x(), static_cast<float>(area.min.y) + ui.px(24)},
              places.empty() ? "Measure: click a place on the part" : "and another one", ui.colours->text);
     return;

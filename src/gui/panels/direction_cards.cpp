@@ -1,5 +1,4 @@
-#include "gui/panels/direction_cards.hpp"
-
+// Cards of recommended directions: a picture of the part along each, its verdict, what it wins and costs.
 #include <algorithm>
 #include <string_view>
 #include <vector>
@@ -9,6 +8,7 @@
 
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
+#include "gui/panels/panels.hpp"
 
 namespace moldlight::gui {
 
@@ -39,18 +39,16 @@ void draw_card(const PanelContext& context, std::size_t place, float width, unsi
   const Pressable item =
       pressable(ui, fmt::format("card {}", place + 1).c_str(), {width, ui.px(k_card_height)});
   const glm::vec2 min = item.box.min, max = item.box.max, inset(ui.px(6));
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(im(min), im(max), item.hovered ? ui.colours->field_hovered : ui.colours->field,
-                     ui.px(6));
+  ImDrawList& list = window_list();
+  fill(list, {min, max}, item.hovered ? ui.colours->field_hovered : ui.colours->field, ui.px(6));
   if (card.here) list.AddRect(im(min), im(max), ui.colours->accent, ui.px(6), 0, 1.5F * ui.scale);
   const glm::vec2 corner = min + inset, picture_size(ui.px(k_picture_width), ui.px(k_picture_height));
   draw_picture(list, picture, {corner, corner + picture_size}, ui.px(4));
-  draw_text(list, {ui.fonts.small, ui.colours->muted},
-            corner + glm::vec2(ui.px(2), picture_size.y + ui.px(4)), role(state.sweep, place));
+  draw_text(list, ui.note(), corner + glm::vec2(ui.px(2), picture_size.y + ui.px(4)),
+            role(state.sweep, place));
   const float left = corner.x + picture_size.x + ui.px(10), room = max.x - inset.x - left;
   float top = corner.y;
-  draw_text(list, {ui.fonts.strong, ui.colours->text}, {left, top},
-            fitted(ui.fonts.strong, with_minus(card.name), room));
+  draw_text(list, ui.strong(), {left, top}, fitted(ui.fonts.strong, with_minus(card.name), room));
   top += ui.px(k_line_height + 4);
   std::size_t lines_left = k_most_lines;
   const auto write = [&](ImU32 colour, const std::string& text, std::size_t most) {
@@ -77,7 +75,7 @@ void draw_card(const PanelContext& context, std::size_t place, float width, unsi
 
 void draw_direction_cards(const PanelContext& context, std::span<const unsigned> pictures) {
   const std::vector<DirectionCard>& cards = context.state.sweep.cards;
-  const float width = ImGui::GetContentRegionAvail().x;
+  const float width = room_left();
   for (std::size_t k = 0; k < cards.size(); ++k)
     draw_card(context, k, width, cards[k].candidate < pictures.size() ? pictures[cards[k].candidate] : 0);
 }

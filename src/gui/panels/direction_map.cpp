@@ -192,7 +192,7 @@ void describe_direction(const PanelContext& context, const glm::dvec3& direction
 float draw_colour_bar(const PanelContext& context, const glm::vec2& at, float width) {
   const Ui& ui = context.ui;
   const SweepMap& map = *context.state.sweep.map;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const float height = ui.px(6), gap = ui.px(3);
   constexpr int k_steps = 24;
   for (int k = 0; k < k_steps; ++k) {
@@ -203,7 +203,7 @@ float draw_colour_bar(const PanelContext& context, const glm::vec2& at, float wi
     list.AddRectFilledMultiColor(ImVec2(left, at.y), ImVec2(right, at.y + height), a, b, b, a);
   }
   const float top = at.y + height + gap;
-  const Lettering lettering{ui.fonts.small, ui.colours->muted};
+  const Lettering lettering = ui.note();
   draw_text(list, lettering, {at.x, top}, "0");
   draw_text_to(lettering, at.x + width, top, area_text(context.state, map.worst));
   return height + gap + ui.fonts.small.size;
@@ -226,12 +226,12 @@ void draw_large_ball(const PanelContext& context, BallDrag& drag) {
   ImGui::Begin("##Large ball", nullptr, k_fixed_window | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::AlignTextToFramePadding();
   heading(ui, "Undercut by direction");
-  ImGui::SameLine(ImGui::GetContentRegionAvail().x + ui.px(12) - ui.px(k_row_height));
+  ImGui::SameLine(room_left() + ui.px(12) - ui.px(k_row_height));
   if (icon_button(ui, {"close ball", Icon::close, "Close the large ball"})) {
     context.edits.sweep_choices.large_ball = false;
   }
   draw_ball(context, drag, size);
-  const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+  const glm::vec2 at = cursor_at();
   const float height = draw_colour_bar(context, at + glm::vec2(0.0F, ui.px(4)), size);
   ImGui::Dummy(ImVec2(size, height + ui.px(6)));
   if (const SweepProof* proof = shown_proof(context.state.sweep))

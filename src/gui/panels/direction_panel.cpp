@@ -22,7 +22,7 @@ void draw_axis_buttons(const PanelContext& context) {
   const Ui& ui = context.ui;
   Direction& present = context.edits.settings.direction;
   const float gap = ui.px(4);
-  const float width = std::floor((ImGui::GetContentRegionAvail().x - 2.0F * gap) / 3.0F);
+  const float width = std::floor((room_left() - 2.0F * gap) / 3.0F);
   for (const double sign : {1.0, -1.0}) {
     for (int axis = 0; axis < 3; ++axis) {
       glm::dvec3 direction(0.0);
@@ -69,7 +69,7 @@ void draw_bookmarks(const PanelContext& context) {
 void draw_direction_fields(const PanelContext& context) {
   const Ui& ui = context.ui;
   Direction& present = context.edits.settings.direction;
-  const float gap = ui.px(4), room = ImGui::GetContentRegionAvail().x;
+  const float gap = ui.px(4), room = room_left();
   const float third = std::floor((room - 2.0F * gap) / 3.0F), half = std::floor((room - gap) / 2.0F);
   glm::dvec3 direction = present.given();
   bool typed = false;
@@ -101,15 +101,14 @@ void draw_axis_names(const Ui& ui, const Ball& ball, const glm::vec2& marker) {
     const glm::vec2 at = ball.centre + 0.86F * (ball.screen(point) - ball.centre);
     if (glm::distance(at, marker) < ui.px(14)) continue;
     const std::string_view name = k_names.substr(axis, 1);
-    draw_tagged_text(ui, ball.list,
-                     {.lettering = {ui.fonts.small, ui.colours->muted},
-                      .at = at - 0.5F * text_size(ui.fonts.small, name),
-                      .text = name});
+    draw_tagged_text(
+        ui, ball.list,
+        {.lettering = ui.note(), .at = at - 0.5F * text_size(ui.fonts.small, name), .text = name});
   }
 }
 
 void drag_ball(const PanelContext& context, BallDrag& drag, const Ball& ball) {
-  const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
+  const glm::vec2 mouse = mouse_at();
   if (ImGui::IsItemActivated()) {
     const BallPoint marker = ball.point(context.edits.settings.direction.unit());
     const glm::vec2 to_marker = ball.screen(marker) - mouse;
@@ -181,12 +180,12 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
   name_item(ui, "ball");
   const glm::vec2 min = item_box().min;
   if (has_keyboard(ui, "ball", item_box())) nudge_ball(context);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const Ball ball{list, context.state.camera, min + glm::vec2(0.5F * size), 0.5F * size - ui.px(3)};
   drag_ball(context, drag, ball);
   const SweepState& sweep = context.state.sweep;
   const bool mapped = sweep.map && !sweep.map->field.empty();
-  const glm::dvec2 mouse = ball.disc(from_im(ImGui::GetIO().MousePos));
+  const glm::dvec2 mouse = ball.disc(mouse_at());
   const bool read = mapped && ImGui::IsItemHovered() && !ImGui::IsMouseDown(0) && glm::length(mouse) < 1.0;
   if (!drag.active && !mapped) {
     tooltip(ui, "Direction ball",

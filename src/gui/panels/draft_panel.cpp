@@ -30,7 +30,7 @@ constexpr std::array<ListColumn, 4> k_draft_columns = {{
 
 void draw_bars(const PanelContext& context, const DraftChart& chart, const DraftCheck& check) {
   const Ui& ui = context.ui;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const auto is_shown = [](const DraftBin& bin) {
     return bin.from_deg >= DraftChart::k_from_deg && bin.to_deg <= DraftChart::k_to_deg;
   };
@@ -73,14 +73,14 @@ void draw_limit(const PanelContext& context, const DraftChart& chart) {
   const Ui& ui = context.ui;
   double& required = context.edits.settings.required_draft.deg;
   const float x = chart.place_of(required), half = 0.5F * ui.px(k_grip);
-  ImGui::SetCursorScreenPos(ImVec2(x - half, chart.box.min.y));
+  put_cursor({x - half, chart.box.min.y});
   const Pressable grip = pressable(ui, "draft limit", {2.0F * half, chart.box.max.y - chart.box.min.y});
   if (grip.active) {
     const double draft = chart.draft_at(ImGui::GetIO().MousePos.x);
     required = std::max(k_step_deg, k_step_deg * std::round(draft / k_step_deg));
   }
   const bool lively = grip.hovered || grip.active;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   list.AddLine(ImVec2(x, chart.box.min.y), ImVec2(x, chart.box.max.y),
                lively ? ui.colours->accent : ui.colours->text, (lively ? 2.0F : 1.5F) * ui.scale);
   list.AddCircleFilled(ImVec2(x, chart.box.min.y), ui.px(lively ? 4.0F : 3.0F),
@@ -90,12 +90,12 @@ void draw_limit(const PanelContext& context, const DraftChart& chart) {
 
 void draw_chart(const PanelContext& context, const DraftCheck& check) {
   const Ui& ui = context.ui;
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
-  const float width = ImGui::GetContentRegionAvail().x;
+  const glm::vec2 start = cursor_at();
+  const float width = room_left();
   const glm::vec2 inset(ui.px(8), ui.px(4));
   const DraftChart chart{{start + inset, {start.x + width - inset.x, start.y + ui.px(k_chart)}}};
   ui.memory->controls["draft chart"] = chart.box;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const float foot = chart.box.max.y;
   draw_bars(context, chart, check);
   list.AddLine(ImVec2(chart.box.min.x, foot), ImVec2(chart.box.max.x, foot), ui.colours->line);
@@ -103,13 +103,13 @@ void draw_chart(const PanelContext& context, const DraftCheck& check) {
     const std::string text = with_minus(fmt::format("{}°", draft));
     const float size = text_size(ui.fonts.small, text).x;
     const float left = std::clamp(chart.place_of(draft) - 0.5F * size, start.x, start.x + width - size);
-    draw_text(list, {ui.fonts.small, ui.colours->muted}, {left, foot + ui.px(3)}, text);
+    draw_text(list, ui.note(), {left, foot + ui.px(3)}, text);
   }
   draw_limit(context, chart);
-  ImGui::SetCursorScreenPos(im(start));
+  put_cursor(start);
   ImGui::Dummy(ImVec2(width, ui.px(k_chart)));
   if (ImGui::IsItemHovered() && !ImGui::IsAnyItemActive()) describe_bin(context, chart, check);
-  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + ui.px(k_chart + k_axis)));
+  put_cursor({start.x, start.y + ui.px(k_chart + k_axis)});
 }
 
 }  // namespace
@@ -207,7 +207,7 @@ void draw_foot_line(const PanelContext& context) {
     ends[k] = glm::vec2(*pixel);
   }
   const Ui& ui = context.ui;
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImDrawList& list = scene_list();
   list.AddLine(im(ends[0]), im(ends[1]), packed(k_block_mark), 3.0F * ui.scale);
   if (glm::distance(ends[0], ends[1]) > tag_size(ui, "foot").x)
     draw_tag(ui, 0.5F * (ends[0] + ends[1]), "foot", ui.colours->text);

@@ -26,12 +26,11 @@ std::string size_text(std::uintmax_t bytes) {
 /// Draws a line of the list, clicked or not.
 bool list_line(const Ui& ui, int index, const FileBrowser::Line& line, bool selected) {
   ImGui::PushID(index);
-  const bool clicked =
-      ImGui::InvisibleButton("line", ImVec2(ImGui::GetContentRegionAvail().x, ui.px(k_row_height)));
+  const bool clicked = ImGui::InvisibleButton("line", ImVec2(room_left(), ui.px(k_row_height)));
   ImGui::PopID();
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   if (!ImGui::IsItemVisible()) return clicked;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   if (ImGui::IsItemHovered() || selected) list.AddRectFilled(min, max, ui.colours->field_hovered, ui.px(6));
   if (selected) list.AddRect(min, max, ui.colours->accent, ui.px(6), 0, 1.5F * ui.scale);
   const float middle = 0.5F * (min.y + max.y);
@@ -39,10 +38,9 @@ bool list_line(const Ui& ui, int index, const FileBrowser::Line& line, bool sele
             ui.colours->muted);
   const std::string note = fitted(ui.fonts.small, line.note, ui.px(260));
   const float note_width = text_size(ui.fonts.small, note).x;
-  draw_text(list, {ui.fonts.body, ui.colours->text}, {min.x + ui.px(30), middle - 0.5F * ui.fonts.body.size},
+  draw_text(list, ui.text(), {min.x + ui.px(30), middle - 0.5F * ui.fonts.body.size},
             fitted(ui.fonts.body, line.path.filename().string(), max.x - min.x - ui.px(50) - note_width));
-  draw_text_to({ui.fonts.small, ui.colours->muted}, max.x - ui.px(10), middle - 0.5F * ui.fonts.small.size,
-               note);
+  draw_text_to(ui.note(), max.x - ui.px(10), middle - 0.5F * ui.fonts.small.size, note);
   ui.memory->controls["file " + line.path.filename().string()] = {from_im(min), from_im(max)};
   return clicked;
 }
@@ -104,11 +102,11 @@ void FileBrowser::draw_head(const PanelContext& context) {
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   if (icon_button(ui, {"up", Icon::up, "The folder above (Backspace)"})) next_ = folder_.parent_path();
   ImGui::SameLine();
-  const float room = ImGui::GetContentRegionAvail().x;
-  row_text(ui, {ui.fonts.body, ui.colours->muted}, room, fitted(ui.fonts.body, folder_.string(), room));
+  const float room = room_left();
+  row_text(ui, ui.muted(), room, fitted(ui.fonts.body, folder_.string(), room));
   if (filter_[0] == 0 && ui.memory->keyboard.takes(ControlKey::erase)) next_ = folder_.parent_path();
   const TextSpec filter{.hint = "filter by name, or a path",
-                        .width = ImGui::GetContentRegionAvail().x - ui.px(110),
+                        .width = room_left() - ui.px(110),
                         .starts = std::exchange(starts_, false)};
   if (text_field(ui, "##filter", filter_, filter)) {
     selected_ = -1;

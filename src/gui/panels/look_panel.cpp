@@ -32,11 +32,10 @@ void draw_draft_key(const PanelContext& context) {
   const Ui& ui = context.ui;
   const DraftScale scale =
       draft_scale(context.state.settings.required_draft.deg, context.state.settings.look.palette);
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos()) + glm::vec2(ui.px(8), ui.px(3));
-  const float step =
-      (ImGui::GetContentRegionAvail().x - ui.px(16)) / static_cast<float>(scale.colours.size());
+  const glm::vec2 start = cursor_at() + glm::vec2(ui.px(8), ui.px(3));
+  const float step = (room_left() - ui.px(16)) / static_cast<float>(scale.colours.size());
   const float height = ui.px(8);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   for (std::size_t k = 0; k < scale.colours.size(); ++k) {
     const glm::vec2 min = start + glm::vec2(static_cast<float>(k) * step, 0.0F);
     list.AddRectFilled(im(min), im(min + glm::vec2(step - ui.px(1), height)), packed(scale.colours[k]),
@@ -45,7 +44,7 @@ void draw_draft_key(const PanelContext& context) {
   for (std::size_t k = 0; k < scale.limits_deg.size(); ++k) {
     const double limit = scale.limits_deg[k];
     const std::string text = fmt::format("{}{:.3g}°", limit < 0.0 ? "−" : "", std::abs(limit));
-    draw_text(list, {ui.fonts.small, ui.colours->muted},
+    draw_text(list, ui.note(),
               start + glm::vec2(static_cast<float>(k + 1) * step - 0.5F * text_size(ui.fonts.small, text).x,
                                 height + ui.px(3)),
               text);

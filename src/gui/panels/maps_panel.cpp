@@ -26,11 +26,11 @@ void draw_thumbnails(const PanelContext& context, const MapTextures& textures) {
   for (const bool plus : {true, false}) {
     const Pressable map = pressable(ui, caption(plus), {size, size});
     const auto& [min, max] = map.box;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImDrawList& list = window_list();
     fill(list, map.box, field_colour(ui, {.hovered = map.hovered}), ui.px(6));
     draw_picture(list, plus ? textures.plus : textures.minus, map.box, ui.px(6));
     draw_tagged_text(ui, list,
-                     {.lettering = {ui.fonts.small, ui.colours->text},
+                     {.lettering = ui.small(),
                       .at = {min.x + ui.px(8), max.y - ui.px(4) - ui.fonts.small.size},
                       .text = caption(plus)});
     tooltip(ui, plus ? "The map from +d" : "The map from −d",
@@ -87,7 +87,7 @@ void draw_maps_drawer(const PanelContext& context, const MapTextures& textures) 
     context.layout.fold_bottom(k_name, open);
   header.end(open ? "Kernel and resolution set the lateral tolerance, too, unless it is given." : "",
              ui.colours->muted);
-  const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(k_column)));
+  const int columns = std::max(1, static_cast<int>(room_left() / ui.px(k_column)));
   if (open && ImGui::BeginTable("maps", columns,
                                 ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
     LookSettings& look = context.edits.settings.look;
@@ -127,9 +127,8 @@ void draw_large_map(const PanelContext& context, const MapTextures& textures) {
     heading(ui, fmt::format("Shadow map from {}", caption(plus)));
     ImGui::SameLine();
     hint(ui, "Bright: near the light. Dark: far from it. Click or press Esc to close.");
-    const glm::vec2 min = from_im(ImGui::GetCursorScreenPos());
-    draw_picture(*ImGui::GetWindowDrawList(), plus ? textures.plus : textures.minus, {min, min + side},
-                 ui.px(6));
+    const glm::vec2 min = cursor_at();
+    draw_picture(window_list(), plus ? textures.plus : textures.minus, {min, min + side}, ui.px(6));
     if (pressable(ui, "close", {side, side}).clicked) context.edits.dialogs.large_map.reset();
   }
   if (end_dialog(ui)) context.edits.dialogs.large_map.reset();

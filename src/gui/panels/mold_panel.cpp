@@ -65,7 +65,7 @@ void draw_height(const PanelContext& context, const RowOptions& numbers) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   auto& given = context.edits.settings.mold.parting_height;
-  const float width = ImGui::GetContentRegionAvail().x, cross = given ? ui.px(k_row_height + 4) : 0.0F;
+  const float width = room_left(), cross = given ? ui.px(k_row_height + 4) : 0.0F;
   double height = parting_height(state);
   const HeightRange range = height_range(state);
   const std::string label =
@@ -182,8 +182,8 @@ void draw_loops(const PanelContext& context, RowCursor& cursor) {
 void draw_halves(const PanelContext& context) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float width = ImGui::GetContentRegionAvail().x;
+  ImDrawList& list = window_list();
+  const float width = room_left();
   const float alpha = state.mold.solids_awaited ? 0.6F : 1.0F;
   const std::vector<HalvesLine> halves = halves_lines(state);
   const bool doubtful = std::ranges::any_of(halves, &HalvesLine::doubt);  // then nothing has a tick
@@ -191,7 +191,7 @@ void draw_halves(const PanelContext& context) {
   for (const HalvesLine& each : halves) {
     const std::vector<std::string> lines =
         lines_within(ui.fonts.small, each.text, width - ui.px(28), k_most_lines);
-    const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+    const glm::vec2 at = cursor_at();
     ImGui::Dummy(ImVec2(width, ui.px(k_mold_line) * static_cast<float>(lines.size())));
     tooltip(ui, {}, each.text);
     if (each.doubt || !doubtful)
@@ -240,8 +240,7 @@ void draw_mold_panel(const PanelContext& context, TableBar& bar) {
   parts.table = [&](RowCursor&) {
     draw_halves(context);
     ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
-    if (button(ui, "Export the mold…", {.width = ImGui::GetContentRegionAvail().x}))
-      context.edits.dialogs.exporting_mold = true;
+    if (button(ui, "Export the mold…", {.width = room_left()})) context.edits.dialogs.exporting_mold = true;
     name_item(ui, "export mold");
   };
   bar.draw_inside(context, parts);

@@ -47,13 +47,9 @@ bool option_menu(const Ui& ui, const OptionTexts& option);
 /// The nearest of 1, 2, 5, 10, 20 …
 [[nodiscard]] double near_round_number(double value);
 
-namespace detail {
-
 [[nodiscard]] inline int decimals_of(double step) {
   return step >= 1.0 || step <= 0.0 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
 }
-
-}  // namespace detail
 
 /// Whether the option is one of these.
 template <typename S>
@@ -95,7 +91,7 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const RowOpt
     spec.text = [&](double v) {
       return row.text ? row.text(v) : value_text({v, decimals, option.unit}, row.lengths);
     };
-    const float width = ImGui::GetContentRegionAvail().x;
+    const float width = room_left();
     if (row.refused ? number_field(ui, option.key.data(), number,
                                    {number_label(option.label, option.unit), decimals, width})
                     : slider(ui, {option.label, modified}, number, spec))
@@ -108,12 +104,12 @@ bool option_row(const Ui& ui, const Option<S>& option, S& settings, const RowOpt
   };
   std::visit(moldlight::detail::Overloaded{
                  [&](const RealKind<S>& kind) {
-                   number_row(kind.value(settings), detail::decimals_of(kind.step),
+                   number_row(kind.value(settings), decimals_of(kind.step),
                               {.min = kind.min, .max = kind.max, .step = kind.step});
                  },
                  [&](const PositiveKind<S>& kind) {
                    double number = kind.value(settings).value_or(0.0);
-                   const float width = ImGui::GetContentRegionAvail().x;
+                   const float width = room_left();
                    const std::string label = row.lengths && option.unit == "part's unit"
                                                  ? fmt::format("{}, {}", option.label, row.lengths->unit)
                                                  : std::string(option.label);
@@ -164,7 +160,7 @@ template <typename S>
 void option_table(const Ui& ui, std::span<const Option<S>> options, S& settings, const RowOptions& row,
                   const std::function<void()>& first = {}) {
   constexpr float k_column = 190.0F;  // layout units, at least
-  const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(k_column)));
+  const int columns = std::max(1, static_cast<int>(room_left() / ui.px(k_column)));
   if (!ImGui::BeginTable("options", columns,
                          ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
     return;

@@ -23,6 +23,9 @@ struct PanelContext {
   const AppState& state;
   Edits& edits;
   PanelLayout& layout;
+
+  /// What the panels leave free.
+  [[nodiscard]] FreeArea free_area() const { return layout.free_area(state.dialogs.panels_hidden); }
 };
 
 /// What the ball remembers while it is dragged.
@@ -82,8 +85,10 @@ void draw_settings(const PanelContext& context);
 /// Asks what a part dropped beside another one is to be.
 void draw_dropped(const PanelContext& context);
 void draw_large_map(const PanelContext& context, const MapTextures& textures);
-/// The options of the sweep, straight from its table.
-void draw_sweep_options(const PanelContext& context);
+/// Cards of recommended directions, one below the other, as items of the window that is open; a click turns
+/// to one. `pictures`: a texture a candidate of the sweep's result; 0, or too few of them, where there is
+/// none yet.
+void draw_direction_cards(const PanelContext& context, std::span<const unsigned> pictures);
 
 /// What the table takes of the window's upper part, layout units.
 inline constexpr float k_comparison_height = 164.0F;

@@ -64,9 +64,9 @@ void draw_body(const PanelContext& context) {
   std::size_t wanted = bodies.chosen;
   const float gap = ui.px(4), arrow = ui.px(k_row_height);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(8));
-  row_text(ui, {ui.fonts.body, ui.colours->muted}, ui.px(64), "Body");
+  row_text(ui, ui.muted(), ui.px(64), "Body");
   ImGui::SameLine(0.0F, 0.0F);
-  const float width = ImGui::GetContentRegionAvail().x - 2.0F * (arrow + gap);
+  const float width = room_left() - 2.0F * (arrow + gap);
   if (icon_button(ui, {"previous body", Icon::chevron_left, "The body before"}))
     wanted = (wanted + count) % (count + 1);
   ImGui::SameLine(0.0F, gap);
@@ -95,9 +95,8 @@ void draw_part_controls(const PanelContext& context) {
   hint(ui, fmt::format("{} facets · {} × {} × {} {}", grouped(std::to_string(model.part.mesh.facets.size())),
                        rounded(size.x), rounded(size.y), rounded(size.z), length_unit(model.part)));
   for (const std::string& warning : model.warnings) {
-    const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
-    draw_icon(*ImGui::GetWindowDrawList(), Icon::alert, at + glm::vec2(ui.px(6), ui.px(8)), ui.px(12),
-              ui.colours->warning);
+    const glm::vec2 at = cursor_at();
+    draw_icon(window_list(), Icon::alert, at + glm::vec2(ui.px(6), ui.px(8)), ui.px(12), ui.colours->warning);
     ImGui::Indent(ui.px(18));
     hint(ui, warning);
     ImGui::Unindent(ui.px(18));

@@ -1,5 +1,6 @@
 // The verdict's card: its light, sentence and button, and the legend with the four regions with their
 // measured areas, how sure they are, and whether two ways agree.
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -19,10 +20,10 @@ namespace {
 constexpr float k_legend_row = 24.0F;
 
 void draw_swatch(const Ui& ui, Region region, const LookSettings& look, const glm::vec2& min) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const float size = ui.px(12);
   const glm::vec2 max = min + glm::vec2(size);
-  list.AddRectFilled(im(min), im(max), packed(region_colour(region, look.palette)), ui.px(3));
+  fill(list, {min, max}, packed(region_colour(region, look.palette)), ui.px(3));
   if (region != Region::undercut || !look.hatching) return;
   list.PushClipRect(im(min), im(max), true);
   for (float offset = -size; offset < size; offset += ui.px(5)) {
@@ -49,10 +50,10 @@ struct Line {
 
 /// Leaves a place in front for a mark.
 Line begin_line(const Ui& ui, const char* id, std::string_view name, ImU32 colour) {
-  const Pressable row = pressable(ui, id, {ImGui::GetContentRegionAvail().x, ui.px(k_legend_row)});
+  const Pressable row = pressable(ui, id, {room_left(), ui.px(k_legend_row)});
   const auto& [min, max] = row.box;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (row.hovered) list.AddRectFilled(im(min), im(max), ui.colours->field, ui.px(6));
+  ImDrawList& list = window_list();
+  if (row.hovered) fill(list, {min, max}, ui.colours->field, ui.px(6));
   const float top = 0.5F * (min.y + max.y - ui.fonts.body.size);
   draw_text(list, {ui.fonts.body, colour}, {min.x + ui.px(26), top}, name);
   return {min, max.x - ui.px(6), top, row.pressed};
@@ -76,14 +77,13 @@ void draw_region(const PanelContext& context, const Legend& legend, Region regio
 
 void draw_total(const PanelContext& context, const Legend& legend) {
   const Ui& ui = context.ui;
-  const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+  const glm::vec2 at = cursor_at();
   ImGui::Dummy(ImVec2(1.0F, ui.px(3)));
-  ImGui::GetWindowDrawList()->AddLine(ImVec2(at.x, at.y + ui.px(1)),
-                                      ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + ui.px(1)),
-                                      ui.colours->line);
+  window_list().AddLine(ImVec2(at.x, at.y + ui.px(1)), ImVec2(at.x + room_left(), at.y + ui.px(1)),
+                        ui.colours->line);
   const Line line = begin_line(ui, "total", "Total", ui.colours->muted);
-  draw_text_to({ui.fonts.body, ui.colours->muted}, line.right, line.top, legend.unit);
-  draw_text_to({ui.fonts.body, ui.colours->muted}, line.right - ui.px(60), line.top,
+  draw_text_to(ui.muted(), line.right, line.top, legend.unit);
+  draw_text_to(ui.muted(), line.right - ui.px(60), line.top,
                grouped(legend.column.text(legend.result.total_area)));
   copy_menu(ui, "total", real_text(legend.result.total_area), line.pressed);
 }
@@ -100,9 +100,8 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   const bool fine = shadow.agrees() && !(in_doubt && doubt.mesh > 0.0);
   const std::string_view name = in_doubt ? "Undercut ±" : shadow.agrees() ? "Check passed" : "Check failed";
   const Line line = begin_line(ui, "trust", name, fine ? ui.colours->muted : ui.colours->warning);
-  draw_icon(*ImGui::GetWindowDrawList(), fine ? Icon::check : Icon::alert,
-            line.min + glm::vec2(ui.px(12), ui.px(12)), ui.px(12),
-            faded(fine ? ui.colours->text : ui.colours->warning, legend.alpha));
+  draw_icon(window_list(), fine ? Icon::check : Icon::alert, line.min + glm::vec2(ui.px(12), ui.px(12)),
+            ui.px(12), faded(fine ? ui.colours->text : ui.colours->warning, legend.alpha));
   if (in_doubt)
     draw_text_to({ui.fonts.body, faded(ui.colours->text, legend.alpha)}, line.right - ui.px(60), line.top,
                  grouped(error));
@@ -193,42 +192,24 @@ VerdictCard verdict_card(const AppState& state) {
 
 VerdictLight VerdictCard::light() const {
   if (!verdict) return VerdictLight::gray;
-  switch (verdict->state) {
-    case VerdictState::two_plate:
-      return red ? VerdictLight::amber : VerdictLight::green;
-    case VerdictState::side_actions:
-      return VerdictLight::amber;
-    case VerdictState::not_releasable:
-      return VerdictLight::red;
-    case VerdictState::undercuts:  // nobody has asked yet what releases them
-    case VerdictState::unknown:
-      break;
-  }
-  return VerdictLight::gray;
+  if (verdict->good()) return red ? VerdictLight::amber : VerdictLight::green;
+  if (verdict->state == VerdictState::side_actions) return VerdictLight::amber;
+  // Else nobody has asked yet what releases the undercuts, or they are not known.
+  return verdict->state == VerdictState::not_releasable ? VerdictLight::red : VerdictLight::gray;
 }
 
 namespace {
 
-ImU32 light_colour(VerdictLight light) {
-  switch (light) {
-    case VerdictLight::green:
-      return IM_COL32(52, 178, 96, 255);
-    case VerdictLight::amber:
-      return IM_COL32(240, 168, 40, 255);
-    case VerdictLight::red:
-      return IM_COL32(226, 62, 54, 255);
-    case VerdictLight::gray:
-      break;
-  }
-  return IM_COL32(140, 146, 154, 255);
-}
+/// By VerdictLight.
+constexpr std::array<ImU32, 4> k_lights = {IM_COL32(140, 146, 154, 255), IM_COL32(52, 178, 96, 255),
+                                           IM_COL32(240, 168, 40, 255), IM_COL32(226, 62, 54, 255)};
 
 /// What to do next, in one button: the mesh, a better direction, the undercuts.
 void draw_next(const PanelContext& context, const VerdictCard& card) {
   const Ui& ui = context.ui;
   if (!card.verdict) return;
   const auto wide = [&](const std::string& label, const char* name) {
-    const bool pressed = button(ui, label, {.width = ImGui::GetContentRegionAvail().x, .strong = false});
+    const bool pressed = button(ui, label, {.width = room_left(), .strong = false});
     name_item(ui, name);
     ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
     return pressed;
@@ -254,20 +235,19 @@ void draw_verdict(const PanelContext& context) {
   const std::size_t most_lines = ImGui::GetIO().DisplaySize.y < ui.px(k_low_window) ? 2 : 4;
   const VerdictCard verdict = verdict_card(context.state);
   const float alpha = context.state.figures.pale ? 0.4F : 1.0F;
-  const float width = ImGui::GetContentRegionAvail().x;
+  const float width = room_left();
   const float room = width - ui.px(26);
   const std::vector<std::string> lines = lines_within(ui.fonts.strong, verdict.sentence, room, most_lines);
   const float height = ui.px(4.0F + k_line * static_cast<float>(lines.size()));
   const Pressable sentence = pressable(ui, "verdict", {width, height});
   const glm::vec2 at = sentence.box.min;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (sentence.hovered && !verdict.good())
-    list.AddRectFilled(im(at), im(sentence.box.max), ui.colours->field, ui.px(6));
+  ImDrawList& list = window_list();
+  if (sentence.hovered && !verdict.good()) fill(list, {at, sentence.box.max}, ui.colours->field, ui.px(6));
   tooltip(ui, "Verdict", tooltip_text(verdict));
   if (sentence.clicked) show_undercuts(context);
   const glm::vec2 middle = at + glm::vec2(ui.px(12), ui.px(11));
   list.AddCircleFilled(im(middle), ui.px(verdict.good() ? 8 : 6),
-                       faded(light_colour(verdict.light()), alpha));
+                       faded(k_lights[static_cast<std::size_t>(verdict.light())], alpha));
   if (verdict.good()) draw_icon(list, Icon::check, middle, ui.px(10), IM_COL32_WHITE);
   for (std::size_t k = 0; k < lines.size(); ++k)
     draw_text(list, {ui.fonts.strong, faded(ui.colours->text, alpha)},

@@ -17,6 +17,7 @@ namespace {
 
 using Of = RevisionChange::Of;
 
+constexpr const char* k_revisions = "Revisions";
 constexpr float k_change_row = 24.0F, k_change_line = 18.0F;  // layout units
 constexpr float k_changes_share = 0.2F;  // of the window's height, that the table takes at most
 
@@ -134,7 +135,7 @@ void draw_swatch(const PanelContext& context, const RevisionChange& change, cons
   } else if (change.of != Of::region) {
     left = right = region_colour(Region::undercut, context.state.settings.look.palette);
   }
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const float half = ui.px(5);
   list.AddRectFilled(ImVec2(middle.x - half, middle.y - half), ImVec2(middle.x, middle.y + half),
                      packed(left));
@@ -194,13 +195,12 @@ void draw_changes(const PanelContext& context, RowCursor& cursor) {
   if (hover) changes.pointed = hover->change;
   draw_choices(context, changes, cursor,
                [&](std::size_t k, const ScreenBox& row) { draw_change(context, k, row); });
-  const float width = ImGui::GetContentRegionAvail().x;
+  const float width = room_left();
   const std::string regions = Texts(result.comparison).regions();
-  const glm::vec2 at = from_im(ImGui::GetCursorScreenPos());
+  const glm::vec2 at = cursor_at();
   ImGui::Dummy(ImVec2(width, ui.px(k_change_line)));
   tooltip(ui, {}, regions);
-  draw_text(*ImGui::GetWindowDrawList(), {ui.fonts.small, ui.colours->text},
-            {at.x + ui.px(8), at.y + 0.5F * (ui.px(k_change_line) - ui.fonts.small.size)},
+  draw_text(ui.small(), {at.x + ui.px(8), at.y + 0.5F * (ui.px(k_change_line) - ui.fonts.small.size)},
             fitted(ui.fonts.small, regions, width - ui.px(16)));
 }
 
@@ -216,36 +216,45 @@ BarNews revisions_news(const RevisionState& revisions) {
   return {.text = text, .tip = text};
 }
 
-void draw_revision_buttons(const PanelContext& context, BottomHeader& header) {
+void draw_line(const PanelContext& context, RevisionsBar& bar, bool open) {
+  constexpr float k_progress_width = 96.0F, k_cancel_width = 64.0F;  // layout units
   const Ui& ui = context.ui;
+  BottomHeader header(ui, k_revisions);
+  if (header.button({"leave revisions", Icon::close, "Leave the comparison (Ctrl+D)"}))
+    context.edits.ask(&Commands::leave_revisions);
+  if (header.button(
+          {"fold revisions", open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
+    context.layout.fold_bottom(k_revisions, open);
+  const bool settings = open && bar.settings;
+  if (header.button({"revision options", Icon::settings, "Settings of the comparison", settings})) {
+    bar.settings = !settings;
+    context.layout.fold_bottom(k_revisions, false);
+  }
   if (header.button({"exchange revisions", Icon::exchange, "Swap the revisions"}))
     context.edits.ask(&Commands::exchange_revisions);
-  if (!context.state.revisions.awaited) return;
-  constexpr float k_cancel_width = 64.0F;
-  header.place(ui.px(k_cancel_width));
-  if (button(ui, "Cancel##revisions", {.width = ui.px(k_cancel_width)}))
-    context.edits.ask(&Commands::cancel_revisions);
-  name_item(ui, "cancel revisions");
+  if (context.state.revisions.awaited) {
+    header.place(ui.px(k_cancel_width));
+    if (button(ui, "Cancel##revisions", {.width = ui.px(k_cancel_width)}))
+      context.edits.ask(&Commands::cancel_revisions);
+    name_item(ui, "cancel revisions");
+  }
+  const BarNews news = revisions_news(context.state.revisions);
+  if (news.progress) header.progress(*news.progress, k_progress_width);
+  header.end(news.text, news.warning ? ui.colours->warning : ui.colours->muted, news.tip);
 }
 
 }  // namespace
 
-void draw_revisions_bar(const PanelContext& context, TableBar& bar) {
-  const RevisionState& revisions = context.state.revisions;
-  if (!revisions.on()) return;
-  TableBarParts parts{.name = "Revisions",
-                      .fold = "fold revisions",
-                      .options = "revision options",
-                      .options_hint = "Settings of the comparison",
-                      .news = revisions_news(revisions),
-                      .settings = [&] { draw_revision_settings(context); }};
-  parts.before = [&](BottomHeader& header) {
-    if (header.button({"leave revisions", Icon::close, "Leave the comparison (Ctrl+D)"}))
-      context.edits.ask(&Commands::leave_revisions);
-  };
-  parts.after = [&](BottomHeader& header) { draw_revision_buttons(context, header); };
-  if (revisions.result) parts.table = [&](RowCursor& cursor) { draw_changes(context, cursor); };
-  bar.draw(context, parts);
+void draw_revisions_bar(const PanelContext& context, RevisionsBar& bar) {
+  if (!context.state.revisions.on()) return;
+  const bool open = context.layout.begin_bottom(context.ui, k_revisions);
+  draw_line(context, bar, open);
+  if (open && bar.settings) {
+    draw_revision_settings(context);
+  } else if (open && context.state.revisions.result) {
+    draw_changes(context, bar.cursor);
+  }
+  context.layout.end();
 }
 
 }  // namespace moldlight::gui

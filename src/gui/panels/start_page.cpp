@@ -20,7 +20,7 @@ void draw_drop_zone(const PanelContext& context) {
   const glm::vec2 size(ui.px(k_start_width), ui.px(k_drop_height));
   const Pressable zone = pressable(ui, "drop", size);
   const glm::vec2 min = zone.box.min;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   fill(list, {min, min + size}, field_colour(ui, {.hovered = zone.hovered}), ui.px(10));
   list.AddRect(im(min), im(min + size), ui.colours->line, ui.px(10), 0, 1.5F * ui.scale);
   const auto centred = [&](const SizedFont& font, float top, ImU32 colour, std::string_view text) {
@@ -43,15 +43,14 @@ void draw_recent_parts(const PanelContext& context) {
     ImGui::PushID(static_cast<int>(k));
     const Pressable row = pressable(ui, "recent", {ui.px(k_start_width), ui.px(k_row_height)});
     const auto& [min, max] = row.box;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (row.hovered) list.AddRectFilled(im(min), im(max), ui.colours->field, ui.px(6));
+    ImDrawList& list = window_list();
+    if (row.hovered) fill(list, {min, max}, ui.colours->field, ui.px(6));
     const float top = 0.5F * (min.y + max.y - ui.fonts.body.size);
     const std::string name = fitted(ui.fonts.body, path.filename().string(), ui.px(220));
     draw_icon(list, Icon::file, {min.x + ui.px(14), 0.5F * (min.y + max.y)}, ui.px(13), ui.colours->muted);
-    draw_text(list, {ui.fonts.body, ui.colours->text}, {min.x + ui.px(30), top}, name);
+    draw_text(list, ui.text(), {min.x + ui.px(30), top}, name);
     const std::string folder = fitted(ui.fonts.small, path.parent_path().string(), ui.px(240));
-    draw_text_to({ui.fonts.small, ui.colours->muted}, max.x - ui.px(8),
-                 0.5F * (min.y + max.y - ui.fonts.small.size), folder);
+    draw_text_to(ui.note(), max.x - ui.px(8), 0.5F * (min.y + max.y - ui.fonts.small.size), folder);
     if (row.clicked) context.edits.ask(&Commands::open_part, path.string());
     ImGui::PopID();
   }
@@ -70,14 +69,13 @@ void draw_shipped(const PanelContext& context, std::span<const unsigned> thumbna
     ImGui::PushID(static_cast<int>(k));
     const Pressable card = pressable(ui, "shipped", {width, width});
     const auto& [min, max] = card.box;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImDrawList& list = window_list();
     fill(list, card.box, field_colour(ui, {.hovered = card.hovered}), ui.px(8));
     if (k < thumbnails.size()) draw_picture(list, thumbnails[k], {min, {max.x, max.y - ui.px(10)}}, ui.px(8));
     std::string name = fs::path(shipped[k]).stem().string();
     std::replace(name.begin(), name.end(), '_', ' ');
     const glm::vec2 text = text_size(ui.fonts.small, name);
-    draw_text(list, {ui.fonts.small, ui.colours->muted},
-              {0.5F * (min.x + max.x - text.x), max.y - ui.px(6) - text.y}, name);
+    draw_text(list, ui.note(), {0.5F * (min.x + max.x - text.x), max.y - ui.px(6) - text.y}, name);
     if (card.clicked) context.edits.ask(&Commands::open_part, shipped[k]);
     ImGui::PopID();
   }

@@ -49,7 +49,7 @@ void draw_chosen_face(const PanelContext& context) {
   const AppState& state = context.state;
   if (!state.model || !state.face) return;
   const Ui& ui = context.ui;
-  const FreeArea area = context.layout.free_area(state.dialogs.panels_hidden);
+  const FreeArea area = context.free_area();
   place_window({area.middle_x(), static_cast<float>(area.max.y) - ui.px(12)}, {0.5F, 1.0F});
   ImGui::Begin("Chosen face", nullptr, k_card_window | ImGuiWindowFlags_NoInputs);
   draw_item_text(state.figures.pale ? ui.colours->muted : ui.colours->text, face_line(state));
@@ -75,7 +75,7 @@ void draw_loading(const PanelContext& context) {
 void draw_toasts(const PanelContext& context) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
-  const FreeArea area = context.layout.free_area(state.dialogs.panels_hidden);
+  const FreeArea area = context.free_area();
   float top = ui.px(k_bar_height + 12);
   for (const Toast& toast : state.toasts) {
     const float width = std::min(ui.px(460), static_cast<float>(area.max.x - area.min.x) - ui.px(24));
@@ -84,10 +84,10 @@ void draw_toasts(const PanelContext& context) {
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
     ImGui::Begin(fmt::format("Toast {}", toast.number).c_str(), nullptr, k_card_window);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    draw_icon(*ImGui::GetWindowDrawList(), toast.failure ? Icon::alert : Icon::check,
+    draw_icon(window_list(), toast.failure ? Icon::alert : Icon::check,
               {at.x + ui.px(8), at.y + 0.5F * ui.fonts.body.size}, ui.px(14),
               toast.failure ? ui.colours->warning : ui.colours->muted);
-    ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(26), at.y));
+    put_cursor({at.x + ui.px(26), at.y});
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - ui.px(60));
     draw_item_text(ui.colours->text, toast.text);
     ImGui::PopTextWrapPos();
@@ -100,10 +100,8 @@ void draw_toasts(const PanelContext& context) {
 
 void draw_hints(const PanelContext& context) {
   const AppState& state = context.state;
-  Dialogs none;
-  none.panels_hidden = state.dialogs.panels_hidden;
   const Ui& ui = context.ui;
-  const bool covered = !(state.dialogs == none) || ui.memory->popups.any();
+  const bool covered = state.dialogs != state.dialogs.none() || ui.memory->popups.any();
   if (!state.shows_hints || !state.model || state.dialogs.panels_hidden || covered) return;
   const auto place = std::ranges::find_if(
       k_places, [&](const HintPlace& each) { return !state.hints_done.contains(each.hint); });
@@ -120,9 +118,9 @@ void draw_hints(const PanelContext& context) {
   row_text(ui, {ui.fonts.body, ui.colours->on_accent}, text_size(ui.fonts.body, place->text).x, place->text);
   ImGui::SameLine(0.0F, ui.px(6));
   const Pressable close = pressable(ui, "dismiss the hint", glm::vec2(ui.px(k_row_height)));
-  draw_icon(*ImGui::GetWindowDrawList(), Icon::close, close.box.centre(), ui.px(12), ui.colours->on_accent);
+  draw_icon(window_list(), Icon::close, close.box.centre(), ui.px(12), ui.colours->on_accent);
   if (close.clicked) context.edits.hints_done.insert(place->hint);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   list.PushClipRectFullScreen();
   list.AddTriangleFilled(im(tip), im(at + across * ui.px(7)), im(at - across * ui.px(7)), ui.colours->accent);
   list.PopClipRect();

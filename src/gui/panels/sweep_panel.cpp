@@ -12,8 +12,7 @@
 
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
-#include "gui/panels/direction_cards.hpp"
-#include "gui/panels/panels.hpp"
+#include "gui/panels/option_row.hpp"
 #include "gui/panels/step_panels.hpp"
 #include "mold/direction.hpp"
 #include "sweep/axis_beside.hpp"
@@ -53,12 +52,31 @@ std::string result_text(const SweepState& sweep) {
   return text;
 }
 
+/// Straight from its table.
+void draw_sweep_options(const PanelContext& context) {
+  // Most of them range over many powers of ten, some from 0 on.
+  const RowOptions numbers = typed_numbers(context);
+  SweepSettings& settings = context.edits.sweep_choices.options;
+  // In a low window there is no room for what is seldom set.
+  constexpr float k_low_window = 680.0F;
+  const bool low = ImGui::GetIO().DisplaySize.y < context.ui.px(k_low_window);
+  static const std::vector<Option<SweepSettings>> k_usual = [] {
+    std::vector<Option<SweepSettings>> usual(sweep_options().begin(), sweep_options().end());
+    std::erase_if(usual, [](const auto& option) { return option.key == "worth_pct"; });
+    return usual;
+  }();
+  option_table<SweepSettings>(context.ui, low ? std::span(k_usual) : sweep_options(), settings, numbers);
+  for (const Option<SweepSettings>& option : sweep_options()) {
+    if (is_wide(option)) option_row(context.ui, option, settings, numbers);
+  }
+}
+
 /// Two halves, one of them filled.
 bool compare_button(const Ui& ui, const glm::vec2& centre, bool chosen) {
-  ImGui::SetCursorScreenPos(im(centre - glm::vec2(0.5F * ui.px(k_row_height))));
+  put_cursor(centre - glm::vec2(0.5F * ui.px(k_row_height)));
   const bool clicked = ImGui::InvisibleButton("compare", ImVec2(ui.px(k_row_height), ui.px(k_row_height)));
   const bool hovered = ImGui::IsItemHovered();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
   const ImU32 colour = hovered || chosen ? ui.colours->text : ui.colours->muted;
   const glm::vec2 half(ui.px(7), ui.px(5));
   if (hovered || chosen) {
@@ -90,7 +108,7 @@ std::vector<const DirectionFigure*> fitting_columns(const Ui& ui, const SweepRes
   const float gap = ui.px(8);
   float needed = ui.px(k_rank_width + k_direction_width + k_least_why) + 3.0F * gap;
   for (const DirectionFigure* figure : figures) needed += figure_width(ui, *figure) + gap;
-  if (needed > ImGui::GetContentRegionAvail().x) keep_brief(figures);
+  if (needed > room_left()) keep_brief(figures);
   return figures;
 }
 
@@ -127,14 +145,12 @@ void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figu
   for (const Heading& heading : headings) {
     ImGui::TableNextColumn();
     const bool sorted = (ImGui::TableGetColumnFlags() & ImGuiTableColumnFlags_IsSorted) != 0;
-    const glm::vec2 cell = from_im(ImGui::GetCursorScreenPos());
-    const float room =
-        ImGui::GetContentRegionAvail().x - (sorted ? std::round(0.65F * ui.fonts.small.size) : 0.0F);
+    const glm::vec2 cell = cursor_at();
+    const float room = room_left() - (sorted ? std::round(0.65F * ui.fonts.small.size) : 0.0F);
     // ImGui would set the text of a column of figures to the left.
     ImGui::TableHeader(fmt::format("##{}", heading.name).c_str());
     const float inset = heading.is_figure ? room - text_size(ui.fonts.small, heading.name).x : 0.0F;
-    draw_text(*ImGui::GetWindowDrawList(),
-              {ui.fonts.small, sorted || ImGui::IsItemHovered() ? ui.colours->text : ui.colours->muted},
+    draw_text({ui.fonts.small, sorted || ImGui::IsItemHovered() ? ui.colours->text : ui.colours->muted},
               cell + glm::vec2(inset, ui.px(3)), heading.name);
     const std::string name = fmt::format("sort by {}", heading.name);
     const ScreenBox box = item_box();
@@ -159,8 +175,7 @@ void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pic
   ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
   const char* action = sweep.running ? "Cancel" : "Find directions";
   const float gap = ui.px(4), icons = (sweep.map ? 2.0F : 1.0F) * (ui.px(k_row_height) + gap);
-  if (button(ui, action,
-             {.width = ImGui::GetContentRegionAvail().x - icons, .strong = !sweep.running && !sweep.map})) {
+  if (button(ui, action, {.width = room_left() - icons, .strong = !sweep.running && !sweep.map})) {
     context.edits.ask(sweep.running ? &Commands::cancel_sweep : &Commands::start_sweep);
     if (below_ == Below::options) below_ = Below::nothing;
   }
@@ -175,7 +190,7 @@ void SweepPanel::draw(const PanelContext& context, std::span<const unsigned> pic
     if (icon_button(ui, {"large ball", Icon::sphere, "Enlarge the map of directions (M)", large}))
       large = !large;
   }
-  if (sweep.running) progress_bar(ui, sweep.running->share, ImGui::GetContentRegionAvail().x);
+  if (sweep.running) progress_bar(ui, sweep.running->share, room_left());
   const std::string text = sweep.running  ? progress_text(*sweep.running)
                            : sweep.result ? result_text(sweep)
                                           : sweep.error;
@@ -283,12 +298,12 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   ImGui::TableNextRow(ImGuiTableRowFlags_None, ui.px(k_direction_row));
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(index));
-  const bool clicked =
-      ImGui::Selectable("##row", here, ImGuiSelectableFlags_SpanAllColumns | k_row_below_controls,
-                        ImVec2(0.0F, ui.px(k_direction_row)));
+  const bool clicked = ImGui::Selectable(
+      "##row", here, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
+      ImVec2(0.0F, ui.px(k_direction_row)));
   const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
   if (cursor_.is_at(place))
-    ImGui::GetWindowDrawList()->AddRect(im(min), im(max), ui.colours->accent, ui.px(4), 0, 1.5F * ui.scale);
+    window_list().AddRect(im(min), im(max), ui.colours->accent, ui.px(4), 0, 1.5F * ui.scale);
   ui.memory->controls[fmt::format("direction {}", candidate.rank)] = {min, max};
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
                                             ImGuiHoveredFlags_AllowWhenOverlapped);
@@ -302,16 +317,15 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   if (begin_tooltip(ui)) {
     heading(ui, fmt::format("{}: {}", candidate.rank, with_minus(direction_words(direction))));
     draw_item_text(ui.colours->muted, tip);
-    const glm::vec2 pixels(candidate_picture_size(ui.scale)), at = from_im(ImGui::GetCursorScreenPos());
+    const glm::vec2 pixels(candidate_picture_size(ui.scale)), at = cursor_at();
     ImGui::Dummy(im(pixels));
-    draw_picture(*ImGui::GetWindowDrawList(), index < pictures.size() ? pictures[index] : 0,
-                 {at, at + pixels}, ui.px(4));
+    draw_picture(window_list(), index < pictures.size() ? pictures[index] : 0, {at, at + pixels}, ui.px(4));
     end_tooltip();
   }
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImDrawList& list = window_list();
 
   const auto cell = [&](const SizedFont& font, ImU32 colour, const std::string& text, bool to_the_right) {
-    const float inset = to_the_right ? ImGui::GetContentRegionAvail().x - text_size(font, text).x : 0.0F;
+    const float inset = to_the_right ? room_left() - text_size(font, text).x : 0.0F;
     draw_text(list, {font, colour},
               {ImGui::GetCursorScreenPos().x + inset, 0.5F * (min.y + max.y - font.size)}, text);
   };
@@ -319,21 +333,19 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   ImGui::SameLine(0.0F, 0.0F);
   cell(ui.fonts.strong, normal, fmt::format("{} {}", candidate.rank, candidate.tie), false);
   ImGui::TableNextColumn();
-  cell(ui.fonts.body, normal,
-       fitted(ui.fonts.body, with_minus(direction_words(direction)), ImGui::GetContentRegionAvail().x),
+  cell(ui.fonts.body, normal, fitted(ui.fonts.body, with_minus(direction_words(direction)), room_left()),
        false);
   for (const DirectionFigure* figure : figures) {
     ImGui::TableNextColumn();
     const SizedFont& font = figure->key == "undercut" ? ui.fonts.strong : ui.fonts.body;
     const std::string text = grouped(with_minus(figure_text(*figure, *context.state.model, candidate)));
     cell(font, figure->kind == FigureKind::error ? quiet : normal,
-         figure->kind == FigureKind::actions ? fitted(font, text, ImGui::GetContentRegionAvail().x) : text,
-         true);
+         figure->kind == FigureKind::actions ? fitted(font, text, room_left()) : text, true);
   }
   auto& compared = context.edits.sweep_choices.compared;
   const bool chosen = compared == index, comparable = hovered || chosen;
   ImGui::TableNextColumn();
-  const float room = ImGui::GetContentRegionAvail().x - ui.px(comparable ? k_row_height + 6 : 0.0F);
+  const float room = room_left() - ui.px(comparable ? k_row_height + 6 : 0.0F);
   cell(ui.fonts.small, quiet, fitted(ui.fonts.small, reasons_text(candidate.candidate), room), false);
   if (comparable && compare_button(ui, {max.x - ui.px(16), 0.5F * (min.y + max.y)}, chosen)) {
     compared = chosen ? std::nullopt : std::optional(index);
@@ -346,9 +358,9 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
 void SweepPanel::draw_footer(const PanelContext& context) {
   const Ui& ui = context.ui;
   const std::vector<std::string>& remarks = context.state.sweep.result->remarks;
-  const float width = ImGui::GetContentRegionAvail().x;
+  const float width = room_left();
   if (remarks.empty()) return ImGui::Dummy(ImVec2(width, ui.px(2)));
-  const Lettering quiet{ui.fonts.small, ui.colours->muted};
+  const Lettering quiet = ui.note();
   row_text(ui, quiet, width, fitted(ui.fonts.small, remarks.front(), width));
   tooltip(ui, {}, fmt::format("{}", fmt::join(remarks, "\n")));
 }

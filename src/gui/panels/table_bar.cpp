@@ -7,46 +7,13 @@
 
 namespace moldlight::gui {
 
-void TableBar::draw(const PanelContext& context, const TableBarParts& parts) {
-  const bool open = context.layout.begin_bottom(context.ui, parts.name);
-  draw_line(context, parts, open);
-  if (open) draw_body(parts);
-  context.layout.end();
-}
-
-void TableBar::draw_body(const TableBarParts& parts) {
-  if (settings_ && parts.settings) {
-    parts.settings();
-  } else if (parts.table) {
-    parts.table(cursor_);
-  }
-}
-
-void TableBar::draw_line(const PanelContext& context, const TableBarParts& parts, bool open) {
-  constexpr float k_progress_width = 96.0F;  // layout units
-  const Ui& ui = context.ui;
-  BottomHeader header(ui, parts.name);
-  if (parts.before) parts.before(header);
-  if (header.button({parts.fold, open ? Icon::chevron_down : Icon::chevron_up, open ? "Fold up" : "Unfold"}))
-    context.layout.fold_bottom(parts.name, open);
-  if (parts.options != nullptr &&
-      header.button({parts.options, Icon::settings, parts.options_hint, open && settings_})) {
-    settings_ = !(open && settings_);
-    context.layout.fold_bottom(parts.name, false);
-  }
-  if (parts.after) parts.after(header);
-  const BarNews& news = parts.news;
-  if (news.progress) header.progress(*news.progress, k_progress_width);
-  header.end(news.text, news.warning ? ui.colours->warning : ui.colours->muted, news.tip);
-}
-
 void TableBar::draw_inside(const PanelContext& context, const TableBarParts& parts) {
   constexpr float k_line = 16.0F;  // layout units
   constexpr std::size_t k_most_lines = 4;
   const Ui& ui = context.ui;
   const BarNews& news = parts.news;
-  const glm::vec2 start = from_im(ImGui::GetCursorScreenPos());
-  const float width = ImGui::GetContentRegionAvail().x;
+  const glm::vec2 start = cursor_at();
+  const float width = room_left();
   const float left = start.x + ui.px(8), button = parts.options == nullptr ? 0.0F : ui.px(k_row_height + 4);
   const std::vector<std::string> lines =
       lines_within(ui.fonts.small, news.text, start.x + width - button - left, k_most_lines);
@@ -55,17 +22,20 @@ void TableBar::draw_inside(const PanelContext& context, const TableBarParts& par
   ImGui::Dummy(ImVec2(width - button, height));
   if (!news.tip.empty()) tooltip(ui, {}, news.tip);
   for (std::size_t k = 0; k < lines.size(); ++k)
-    draw_text(*ImGui::GetWindowDrawList(),
-              {ui.fonts.small, news.warning ? ui.colours->warning : ui.colours->text},
+    draw_text({ui.fonts.small, news.warning ? ui.colours->warning : ui.colours->text},
               {left, start.y + ui.px(4) + ui.px(k_line) * static_cast<float>(k)}, lines[k]);
   if (parts.options != nullptr) {
-    ImGui::SetCursorScreenPos(ImVec2(start.x + width - ui.px(k_row_height), start.y));
+    put_cursor({start.x + width - ui.px(k_row_height), start.y});
     if (icon_button(ui, {parts.options, Icon::settings, parts.options_hint, settings_}))
       settings_ = !settings_;
-    ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + height));
+    put_cursor({start.x, start.y + height});
   }
   if (news.progress) progress_bar(ui, *news.progress, width);
-  draw_body(parts);
+  if (settings_ && parts.settings) {
+    parts.settings();
+  } else if (parts.table) {
+    parts.table(cursor_);
+  }
 }
 
 void draw_choices(const PanelContext& context, const ChoiceTable& table, RowCursor& cursor,
@@ -85,7 +55,7 @@ void draw_choices(const PanelContext& context, const ChoiceTable& table, RowCurs
                                   .chosen = here,
                                   .marked = cursor.is_at(k) || table.pointed == number_of(k)});
     draw_row(number_of(k), row.box);
-    ImGui::SetCursorScreenPos(ImVec2(row.box.min.x, row.box.max.y));
+    put_cursor({row.box.min.x, row.box.max.y});
     if (!row.clicked) return;
     if (here)
       table.chosen.reset();

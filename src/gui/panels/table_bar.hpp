@@ -1,5 +1,5 @@
-// Common parts of the panels of undercuts, parting line, mold and draft, and of the bar of revisions: what
-// there is in words, and below it either settings or a table to choose a row from.
+// Common parts of the panels of undercuts, parting line, mold and draft: what there is in words, and below it
+// either settings or a table to choose a row from; and the bar of revisions.
 #pragma once
 
 #include <functional>
@@ -23,28 +23,20 @@ struct BarNews {
 };
 
 struct TableBarParts {
-  const char* name = nullptr;  // of a bar along the bottom: stands in the line, and the fold is kept under it
-  const char* fold = nullptr;  // its button's name among the controls
-  const char* options = nullptr;       // that of the settings' button; without settings: nothing
+  const char* options =
+      nullptr;  // name of the settings' button among the controls; without settings: nothing
   const char* options_hint = nullptr;  // what the settings are of
   BarNews news;
-  std::function<void(BottomHeader&)> before = {};  // buttons right of these
-  std::function<void(BottomHeader&)> after = {};   // and left of them
   std::function<void()> settings = {};
   std::function<void(RowCursor&)> table = {};  // none while there is nothing to show
 };
 
 class TableBar {
  public:
-  /// Along the bottom.
-  void draw(const PanelContext& context, const TableBarParts& parts);
   /// Into the panel that is open, whose news may take some lines.
   void draw_inside(const PanelContext& context, const TableBarParts& parts);
 
  private:
-  void draw_line(const PanelContext& context, const TableBarParts& parts, bool open);
-  void draw_body(const TableBarParts& parts);
-
   RowCursor cursor_;
   bool settings_ = false;
 };
@@ -55,9 +47,14 @@ void draw_actions_panel(const PanelContext& context, TableBar& bar);
 void draw_line_panel(const PanelContext& context, TableBar& bar);
 /// The mold's halves with their certificate, and how far they are open.
 void draw_mold_panel(const PanelContext& context, TableBar& bar);
-/// What differs between the part and another revision of it: a row a change. Nothing where nothing is
-/// compared.
-void draw_revisions_bar(const PanelContext& context, TableBar& bar);
+/// What the bar of revisions remembers.
+struct RevisionsBar {
+  RowCursor cursor;
+  bool settings = false;  // in place of the changes
+};
+/// What differs between the part and another revision of it, along the bottom: a row a change. Nothing where
+/// nothing is compared.
+void draw_revisions_bar(const PanelContext& context, RevisionsBar& bar);
 
 /// A table of which a click chooses a row and looks at it, and a second click lets it go.
 struct ChoiceTable {

@@ -47,8 +47,8 @@ void draw_part_name(const PanelContext& context, float room) {
   const float width = text_size(ui.fonts.body, name).x + ui.px(36);
   if (button(ui, fmt::format("{}##part", name), {.width = width})) open_popup_below_item(ui, k_recent);
   name_item(ui, "part name");
-  draw_icon(*ImGui::GetWindowDrawList(), Icon::chevron_down,
-            {item_box().max.x - ui.px(11), item_box().centre().y}, ui.px(9), ui.colours->muted);
+  draw_icon(window_list(), Icon::chevron_down, {item_box().max.x - ui.px(11), item_box().centre().y},
+            ui.px(9), ui.colours->muted);
   tooltip(ui, file, state.path);
   draw_recent(context);
 }
@@ -59,41 +59,34 @@ float right_width(const Ui& ui, bool part) {
   return buttons + ui.px(part ? 12.0F + k_group_gap : 12.0F);
 }
 
+/// Most of them do what a key does.
 void draw_right(const PanelContext& context) {
   const Ui& ui = context.ui;
-  Edits& edits = context.edits;
-  const bool part = context.state.model != nullptr;
-  const float step = ui.px(k_icon_step);
-  ImGui::SameLine(0.0F, 0.0F);
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - right_width(ui, part));
-  if (icon_button(ui, {"open", Icon::open, "Open a part (Ctrl+O)"})) {
-    edits.dialogs.browser = true;
-    edits.dialogs.browser_compares = false;
-  }
-  float gap = step;
-  const auto item = [&](const char* id, Icon icon, std::string_view tip, bool chosen = false) {
-    ImGui::SameLine(0.0F, std::exchange(gap, step));
-    return icon_button(ui, {id, icon, tip, chosen});
+  const AppState& state = context.state;
+  const bool part = state.model != nullptr, compares = state.revisions.on();
+  float left = ImGui::GetWindowWidth() - right_width(ui, part), gap = 0.0F;
+  const auto item = [&](const IconButtonSpec& spec, const KeyPress& key, bool enabled = true) {
+    ImGui::SameLine(std::exchange(left, 0.0F), std::exchange(gap, ui.px(k_icon_step)));
+    ImGui::BeginDisabled(!enabled);
+    const bool clicked = icon_button(ui, spec);
+    ImGui::EndDisabled();
+    if (clicked && key.key != 0) apply_shortcut(key, state, context.edits);
+    return clicked;
   };
+  item({"open", Icon::open, "Open a part (Ctrl+O)"}, {'O', true});
   if (part) {
-    const bool compares = context.state.revisions.on();
-    if (item("compare", Icon::revisions,
-             compares ? "Leave the comparison (Ctrl+D)" : "Compare with another revision (Ctrl+D)", compares))
-      edits.ask(&Commands::compare_or_leave);
-    if (item("measure", Icon::ruler, "Measure between two places (R)", edits.measuring.has_value()))
-      edits.measuring = edits.measuring ? std::nullopt : std::optional(Measuring{});
-    gap = step + ui.px(k_group_gap);
-    ImGui::BeginDisabled(!context.state.can_undo);
-    if (item("undo", Icon::undo, "Undo (Ctrl+Z)")) edits.ask(&Commands::undo);
-    ImGui::EndDisabled();
-    ImGui::BeginDisabled(!context.state.can_redo);
-    if (item("redo", Icon::redo, "Redo (Ctrl+Y)")) edits.ask(&Commands::redo);
-    ImGui::EndDisabled();
+    item({"compare", Icon::revisions,
+          compares ? "Leave the comparison (Ctrl+D)" : "Compare with another revision (Ctrl+D)", compares},
+         {'D', true});
+    item({"measure", Icon::ruler, "Measure between two places (R)", context.edits.measuring.has_value()},
+         {'R'});
+    gap = ui.px(k_icon_step) + ui.px(k_group_gap);
+    item({"undo", Icon::undo, "Undo (Ctrl+Z)"}, {'Z', true}, state.can_undo);
+    item({"redo", Icon::redo, "Redo (Ctrl+Y)"}, {'Y', true}, state.can_redo);
   }
-  if (item("help", Icon::help, "Keys and mouse (H)", context.state.dialogs.help))
-    edits.dialogs.help = !edits.dialogs.help;
-  if (item("settings", Icon::settings, "Window settings", context.state.dialogs.settings))
-    edits.dialogs.settings = !edits.dialogs.settings;
+  item({"help", Icon::help, "Keys and mouse (H)", state.dialogs.help}, {'H'});
+  if (item({"settings", Icon::settings, "Window settings", state.dialogs.settings}, {}))
+    context.edits.dialogs.settings = !context.edits.dialogs.settings;
 }
 
 }  // namespace
@@ -120,7 +113,7 @@ void draw_top_bar(const PanelContext& context) {
     ImGui::SetCursorPosX(std::max(least, std::round(0.5F * (io.DisplaySize.x - strip))));
     draw_strip(context);
   } else {
-    row_text(ui, {ui.fonts.strong, ui.colours->text}, text_size(ui.fonts.strong, "moldlight").x, "moldlight");
+    row_text(ui, ui.strong(), text_size(ui.fonts.strong, "moldlight").x, "moldlight");
   }
   draw_right(context);
   ImGui::End();

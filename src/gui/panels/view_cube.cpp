@@ -77,7 +77,7 @@ void draw_name(ImDrawList& list, const Lettering& lettering, const Face& face, s
 
 void draw_view_cube(const PanelContext& context) {
   const Ui& ui = context.ui;
-  const FreeArea area = context.layout.free_area(context.state.dialogs.panels_hidden);
+  const FreeArea area = context.free_area();
   const float size = ui.px(84), half = ui.px(22);
   // Below the titles of the panels that two revisions fold up.
   const bool folded = context.state.revisions.seen() && area.max.x == area.window.x;
@@ -89,11 +89,11 @@ void draw_view_cube(const PanelContext& context) {
   ImGui::SetNextWindowSize(ImVec2(size, size));
   ImGui::Begin("View cube", nullptr,
                k_fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  ImGui::SetCursorScreenPos(im(corner));
+  put_cursor(corner);
   const bool clicked = ImGui::InvisibleButton("cube", ImVec2(size, size));
   const bool hovered = ImGui::IsItemHovered();
-  const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos), centre = corner + glm::vec2(0.5F * size);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const glm::vec2 mouse = mouse_at(), centre = corner + glm::vec2(0.5F * size);
+  ImDrawList& list = window_list();
   const bool dark = context.state.window.theme == Theme::dark;
   for (const Side& side : k_sides) {
     const Face face = face_of(side, context.state.camera, centre, half);

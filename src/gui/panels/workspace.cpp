@@ -1,9 +1,5 @@
 #include "gui/panels/workspace.hpp"
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include <fmt/format.h>
 
 #include "base/shown_text.hpp"
@@ -15,21 +11,12 @@ namespace moldlight::gui {
 namespace {
 
 std::vector<HelpLine> mouse_help(NavigationPreset preset) {
-  const auto lines = [](const char* turn, const char* shift) -> std::vector<HelpLine> {
-    constexpr auto k_group = HelpLine::Group::view;
-    return {{k_group, turn, "turn"}, {k_group, shift, "shift"}, {k_group, "Wheel", "zoom to the cursor"}};
-  };
-  switch (preset) {
-    case NavigationPreset::solidworks:
-      return lines("Middle drag", "Ctrl + middle drag");
-    case NavigationPreset::fusion:
-      return lines("Shift + middle drag", "Middle drag");
-    case NavigationPreset::blender:
-      return lines("Middle drag", "Shift + middle drag");
-    case NavigationPreset::standard:
-      break;
-  }
-  return lines("Left drag", "Right or middle drag");
+  constexpr std::array<std::array<const char*, 2>, 4> k_drags = {{{"Left drag", "Right or middle drag"},
+                                                                  {"Middle drag", "Ctrl + middle drag"},
+                                                                  {"Shift + middle drag", "Middle drag"},
+                                                                  {"Middle drag", "Shift + middle drag"}}};
+  const auto& [turn, shift] = k_drags[static_cast<std::size_t>(preset)];
+  return {{turn, "turn"}, {shift, "shift"}, {"Wheel", "zoom to the cursor"}};
 }
 
 /// The lines that have the words; nothing where there is none.

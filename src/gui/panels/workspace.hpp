@@ -165,7 +165,7 @@ class Workspace {
  private:
   StepPanels steps_;
   BallDrag large_ball_;
-  TableBar revisions_;
+  RevisionsBar revisions_;
   FileBrowser browser_;
   BatchPanel batch_;
   ExportDialog export_;

@@ -28,8 +28,6 @@ fs::path program_folder() {
   return fs::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
-bool on_a_desktop() { return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr; }
-
 /// Starts the desktop's own opener and does not wait for it; false where there is none.
 bool open_on_desktop(const std::string& path) {
   std::string shell = "sh", flag = "-c", name = path;
@@ -51,6 +49,12 @@ std::optional<fs::path> state_folder() {
   const char* home = std::getenv("HOME");
   if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / ".local/state/moldlight";
   return std::nullopt;
+}
+
+std::string absolute_path(const std::string& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  return error ? path : absolute.lexically_normal().string();
 }
 
 std::optional<std::string> read_text(const fs::path& path) {
@@ -108,7 +112,8 @@ std::string open_documentation() {
       fs::weakly_canonical(program_folder() / "../share/doc/moldlight/html/index.html", error);
   if (!fs::is_regular_file(page, error))
     return "The documentation is not installed; its sources are in docs/";
-  if (on_a_desktop() && open_on_desktop(page.string())) return "The documentation opens in the browser";
+  const bool desktop = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+  if (desktop && open_on_desktop(page.string())) return "The documentation opens in the browser";
   return fmt::format("The documentation is {}", page.string());
 }
 

@@ -20,6 +20,9 @@ namespace moldlight::gui {
 /// $XDG_STATE_HOME/moldlight, else ~/.local/state/moldlight; nothing without a home. Need not exist yet.
 [[nodiscard]] std::optional<std::filesystem::path> state_folder();
 
+/// From the root; as it is where that is not to be found.
+[[nodiscard]] std::string absolute_path(const std::string& path);
+
 /// All bytes of a small text file; nothing where it cannot be read.
 [[nodiscard]] std::optional<std::string> read_text(const std::filesystem::path& path);
 

@@ -6,7 +6,6 @@
 
 #include "base/error.hpp"
 #include "batch/store.hpp"
-#include "gui/view/scene.hpp"
 #include "io/png.hpp"
 #include "mold/map_frame.hpp"
 #include "study/study.hpp"
@@ -118,7 +117,7 @@ SplitView split_view_of(const Camera& camera, const glm::ivec2& window, std::siz
 }
 
 void draw_split(const Ui& ui, const SplitView& split, unsigned texture) {
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImDrawList& list = scene_list();
   const auto left = static_cast<float>(split.left), right = left + static_cast<float>(split.size.x);
   const auto bottom = static_cast<float>(split.size.y);
   list.AddImage(texture_id(texture), ImVec2(left, 0.0F), ImVec2(right, bottom), ImVec2(0, 1), ImVec2(1, 0));

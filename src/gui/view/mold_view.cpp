@@ -160,7 +160,7 @@ void draw_height_handle(const Ui& ui, const AppState& state, const FreeArea& fre
   const glm::ivec2& size = free.window;
   const auto handle = height_handle(state, free);
   if (!handle) return;
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImDrawList& list = scene_list();
   std::vector<ImVec2> outline;
   for (const glm::dvec3& corner : handle->outline) {
     const auto seen = project(state.camera, size, corner);

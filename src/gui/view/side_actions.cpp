@@ -20,7 +20,6 @@ constexpr double k_same_undercut = 0.02;  // of the greater of two undercuts' si
 constexpr double k_same_cosine = 1.0 - 1e-9;
 constexpr double k_least_undercut_reach = 0.2;  // of what is seen around an undercut, unit frame
 
-bool is_straight(const SideAction& action) { return !action.about; }
 /// Before the halves; lifters and inserts come with the part.
 bool goes_first(const SideAction& action) {
   return action.kind != ActionKind::lifter && action.kind != ActionKind::insert && action.travel > 0.0;
@@ -78,7 +77,7 @@ std::optional<SideArrow> side_arrow(const AppState& state) {
   SideArrow arrow;
   arrow.tail = (found.point - frame.center) / frame.diagonal;
   if (const SideAction* action = chosen_action(state)) {
-    if (!is_straight(*action)) return std::nullopt;
+    if (action->about) return std::nullopt;
     arrow.direction = action->direction;
     if (action->kind != ActionKind::insert) arrow.free = action->interval;
   } else {

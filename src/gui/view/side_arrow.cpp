@@ -1,5 +1,4 @@
-#include "gui/view/side_arrow.hpp"
-
+// The side action that is looked at, over the scene.
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +8,7 @@
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"
+#include "gui/view/side_actions.hpp"
 #include "mold/direction.hpp"
 #include "render/view_settings.hpp"
 
@@ -86,7 +86,7 @@ glm::dvec3 side_direction_at(const Camera& camera, const glm::ivec2& size, const
 void draw_side_arrow(const Ui& ui, const AppState& state, const glm::ivec2& size, bool lively) {
   const auto arrow = side_arrow(state);
   if (!arrow) return;
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImDrawList& list = scene_list();
   const Camera& camera = state.camera;
   const glm::dvec3 tip = arrow->tail + side_arrow_length(camera) * arrow->direction;
   const auto foot = project(camera, size, arrow->tail), end = project(camera, size, tip);
@@ -150,7 +150,7 @@ void draw_undercut_window(const Ui& ui, const AppState& state, const glm::ivec2&
   if (change == nullptr || !change->window) return;
   const UndercutWindow& window = *change->window;
   const ImU32 ink = packed(k_block_mark), shade = faded(ui.colours->panel, 0.7F);
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImDrawList& list = scene_list();
   ScreenBox box{glm::vec2(std::numeric_limits<float>::infinity()),
                 glm::vec2(-std::numeric_limits<float>::infinity())};
   for (const std::vector<glm::dvec3>& loop : window.loops) {

@@ -6,11 +6,10 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "gui/draw/panel_layout.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"
 #include "gui/view/mold_view.hpp"
-#include "gui/view/side_arrow.hpp"
+#include "gui/view/side_actions.hpp"
 
 namespace moldlight::gui {
 
@@ -169,7 +168,7 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
 }
 
 void Viewport::start(const AppState& state, const SceneFrame& frame, int button) {
-  const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
+  const glm::vec2 mouse = mouse_at();
   if (button == ImGuiMouseButton_Left && near_tip_) {
     const auto shown = arrow(state, frame, *near_tip_);
     drag_ = ArrowDrag{
@@ -214,7 +213,7 @@ void Viewport::move_camera(const Ui& ui, const SceneFrame& frame, Edits& edits) 
 void Viewport::drag_direction(const AppState& state, const SceneFrame& frame, Edits& edits) const {
   const auto centre = project(state.camera, frame.size, glm::dvec3(0.0));
   if (!centre) return;
-  const glm::dvec2 tip = glm::dvec2(from_im(ImGui::GetIO().MousePos) + drag_->grip) - *centre;
+  const glm::dvec2 tip = glm::dvec2(mouse_at() + drag_->grip) - *centre;
   // How far out the tip stands depends on where it points: that is found by going round a few times.
   glm::dvec3 direction = state.settings.direction.unit() * (drag_->arrow == Arrow::core ? 1.0 : -1.0);
   for (int round = 0; round < 6; ++round) {
@@ -232,7 +231,7 @@ void Viewport::drag_side(const AppState& state, const SceneFrame& frame, Edits& 
   const auto held = side_arrow(state);
   if (!held) return;
   const glm::dvec3& parting = state.settings.direction.unit();
-  const glm::vec2 tip = from_im(ImGui::GetIO().MousePos) + drag_->grip;
+  const glm::vec2 tip = mouse_at() + drag_->grip;
   glm::dvec3 direction =
       side_direction_at(state.camera, frame.size, {held->tail, parting, held->direction}, tip);
   if (ImGui::GetIO().KeyCtrl) {
@@ -256,7 +255,7 @@ std::optional<double> way_along(const Camera& camera, const glm::ivec2& size, co
   glm::dvec2 unit = (*tip - *tail) / glm::distance(arrow.tip, arrow.tail);
   const double pixels = 1.0 / pixel_length(camera, size);
   if (glm::length(unit) < k_least_way * pixels) unit = {0.0, -pixels};
-  const glm::dvec2 by(from_im(ImGui::GetIO().MousePos) - from_im(ImGui::GetIO().MouseClickedPos[0]));
+  const glm::dvec2 by(mouse_at() - from_im(ImGui::GetIO().MouseClickedPos[0]));
   return glm::dot(by, unit) / glm::dot(unit, unit);
 }
 
@@ -286,7 +285,7 @@ void Viewport::drag_section(const AppState& state, const SceneFrame& frame, Edit
 /// Above the cursor: what is said of the surface stands beside it.
 void Viewport::draw_loop(const Ui& ui, const AppState& state) const {
   if (!near_loop_ || !state.mold.line || *near_loop_ >= state.mold.line->loops.size()) return;
-  const glm::vec2 mouse = from_im(ImGui::GetIO().MousePos);
+  const glm::vec2 mouse = mouse_at();
   const auto [name, figures] = loop_lines(state, *near_loop_);
   const std::string text = fmt::format("{}  ·  {}", name, figures);
   const glm::vec2 room = 0.5F * tag_size(ui, text);
@@ -319,8 +318,8 @@ void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const Scene
     const bool lively = drag_ ? drag_->arrow == each : near_tip_ == each;
     draw_name(ui, *shown, name, lively || shown->toward_viewer ? ui.colours->text : ui.colours->muted);
     if (lively)
-      ImGui::GetBackgroundDrawList()->AddCircle(im(shown->tip), ui.px(k_tip_reach),
-                                                faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);
+      scene_list().AddCircle(im(shown->tip), ui.px(k_tip_reach), faded(ui.colours->text, 0.6F), 0,
+                             1.5F * ui.scale);
   }
 }
 

@@ -7,7 +7,6 @@
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
-#include "gui/view/side_arrow.hpp"
 #include "mold/map_frame.hpp"
 
 namespace moldlight::gui {
