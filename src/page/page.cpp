@@ -26,7 +26,7 @@ std::string style_of(const PageFrame& frame) {
 }
 
 std::string script_of(const PageFrame& frame) {
-  std::string text = "\n";
+  std::string text = fmt::format("\n{}", page_file("common.js"));
   for (const std::string_view name : frame.scripts) text += page_file(name);
   return text;
 }

@@ -35,7 +35,7 @@ namespace moldlight::page {
 
 struct PageFrame {
   std::string title;
-  // Names of embedded files: the style comes after common.css, the scripts after each other, as one.
+  // Names of embedded files: the style comes after common.css, the scripts after common.js, as one.
   std::string_view style;
   std::vector<std::string_view> scripts;
   bool pictures_beside = false;  // whether pictures that lie beside the page may be shown

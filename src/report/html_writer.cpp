@@ -243,7 +243,7 @@ std::string view_html(const Report& report) {
         "<canvas tabindex=\"0\" hidden aria-label=\"The part in three dimensions: drag or arrow keys turn "
         "it, the wheel zooms once it is clicked\"></canvas>"
         "<div class=\"tags\" hidden><span>+d · core</span><span>−d · cavity</span></div>";
-    if (report.live) html += live_stage_html();
+    if (report.live) html += live_stage_html(*report.live);
   }
   html += "</div>\n";
   if (report.view) html += legend_html(*report.view);

@@ -52,6 +52,11 @@ Json sphere_json(const Image& image) {
   return {{"size", image.width}, {"data", bytes.deflated_base64()}};
 }
 
+/// An attribute that the page's script reads.
+std::string direction_html(const glm::dvec3& direction) {
+  return fmt::format(" data-direction=\"{},{},{}\"", direction.x, direction.y, direction.z);
+}
+
 std::string stage_text(const char* path, const gl::Defines& defines) {
   return gl::es_text(gl::expand_shader(path, defines, gl::shader_files()));
 }
@@ -78,12 +83,11 @@ Json packed(const LiveView& live) {
   json["samples"] = k_live_samples;
   json["known"] = Json::array();
   for (const LiveDirection& known : live.known) {
-    Json areas = Json::array();
-    for (const Region region : k_regions) areas.push_back(known.areas[region]);
-    json["known"].push_back({{"name", known.name},
-                             {"direction", point_json(known.direction)},
-                             {"areas", areas},
-                             {"verdict", known.verdict}});
+    RegionValues areas = known.areas;
+    for (const double sign : {1.0, -1.0}) {
+      json["known"].push_back({{"direction", point_json(sign * known.direction)}, {"areas", areas.values}});
+      std::swap(areas[Region::core], areas[Region::cavity]);
+    }
   }
   json["errors"] = Json::array();
   for (const LiveError& error : live.errors)
@@ -94,10 +98,21 @@ Json packed(const LiveView& live) {
   return json;
 }
 
-std::string live_stage_html() {
-  return "<div id=\"ball\" tabindex=\"0\" role=\"application\" hidden aria-label=\"Ball of parting "
-         "directions: drag, or "
-         "arrow keys\"></div>";
+std::string live_stage_html(const LiveView& live) {
+  constexpr std::size_t k_most_numbered = 5;
+  std::string html =
+      "<div id=\"ball\" tabindex=\"0\" role=\"application\" hidden aria-label=\"Ball of parting directions: "
+      "drag, or arrow keys\">";
+  for (const int k : {0, 1, 2}) {
+    glm::dvec3 axis(0.0);
+    axis[k] = 1.0;
+    html += fmt::format("<span class=\"axis\"{}>{}</span>", direction_html(axis), "xyz"[k]);
+  }
+  for (std::size_t k = 0; k < std::min(live.known.size(), k_most_numbered); ++k) {
+    if (!live.known[k].verdict.empty())
+      html += fmt::format("<span{}>{}</span>", direction_html(live.known[k].direction), k + 1);
+  }
+  return html + "</div>";
 }
 
 std::string live_controls_html(const LiveView& live) {
@@ -105,8 +120,7 @@ std::string live_controls_html(const LiveView& live) {
       "<div class=\"direct\" hidden>\n<p id=\"standing\" role=\"status\"></p>\n"
       "<div class=\"goals\" role=\"group\" aria-label=\"Parting direction\">\n";
   const auto button = [&html](const glm::dvec3& direction, std::string_view look, const std::string& text) {
-    html += fmt::format("<button type=\"button\"{} data-direction=\"{},{},{}\">{}</button>\n", look,
-                        direction.x, direction.y, direction.z, text);
+    html += fmt::format("<button type=\"button\"{}{}>{}</button>\n", look, direction_html(direction), text);
   };
   for (const char* axis : {"+x", "−x", "+y", "−y", "+z", "−z"}) {
     const std::string_view name(axis);

@@ -50,13 +50,13 @@ struct LiveView {
   Image sphere = {};  // undercut over the half-sphere, Lambert's equal-area map about +z; may be empty
 };
 
-/// For the page's script. The mesh is in `data`, as PackedBytes: the coordinates of the vertices in the order
+/// For the page's script. Each known direction comes before its opposite. The mesh is in `data`, as PackedBytes: the coordinates of the vertices in the order
 /// of their first use, in single precision where that holds them and else in double, first the first byte of
 /// all of them; then the corners (pack_corners).
 [[nodiscard]] Json packed(const LiveView& live);
 
 /// What is shown over the part, and below it.
-[[nodiscard]] std::string live_stage_html();
+[[nodiscard]] std::string live_stage_html(const LiveView& live);
 [[nodiscard]] std::string live_controls_html(const LiveView& live);
 
 /// The shaders of a page's view, each a vertex and a fragment stage, for its script: those of shaders/ for

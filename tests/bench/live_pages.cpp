@@ -65,7 +65,7 @@ constexpr const char* k_areas = R"js(((direction, rest) => {
   live.go(unit(direction), rest);
   view.draw();
   clearTimeout(live.resting);
-  return {areas: live.areas, said: live.find("standing").textContent,
+  return {areas: live.areas, said: byId("standing").textContent,
     verdicts: live.maps.verdicts.filter((_, k) => k % 4 === 0).slice(0, live.live.samples).join("")};
 }))js";
 

@@ -94,8 +94,8 @@ void LivePage::exact_areas_stand_for_the_asked_direction_and_its_opposite() {
   const Json found = this->found(
       "live.go([0, 0, 1], true); view.draw(); found.asked = live.areas; found.maps = view.byMaps;"
       "live.go([0, 0, -1], true); view.draw(); found.opposite = live.areas; found.exact = live.exact;"
-      "live.find('tau').value = 3; live.change(true); view.draw(); found.otherTau = live.exact;"
-      "found.text = text('standing'); live.find('tau').value = live.live.tau; live.change(true); "
+      "byId('tau').value = 3; live.change(true); view.draw(); found.otherTau = live.exact;"
+      "found.text = text('standing'); byId('tau').value = live.live.tau; live.change(true); "
       "view.draw();");
   const Json exact = exact_areas("0,0,1");
   EXPECT_EQ(found["maps"], false);

@@ -93,13 +93,12 @@ class Tools {
     gl[layers ? "texImage3D" : "texImage2D"](kind, 0, gl[format], ...size, 0, outside, type, data);
     return texture;
   }
-  // A framebuffer of a texture, or of a layer of it, with depth where that is given.
+  // A framebuffer of a texture's layer, with depth where that is given.
   target(texture, layer, depth) {
-    const {gl} = this, made = gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, made);
-    if (layer === undefined) gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-    else gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, texture, 0, layer);
+    const {gl} = this, target = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
+    gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, texture, 0, layer);
     if (depth) gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
-    return made;
+    return target;
   }
 }

@@ -4,13 +4,6 @@ const rowLength = 2048;  // of facets in a texture, as shaders/common/facets.gls
 const sampleRow = 1024;  // of samples
 const regionBits = [1, 2, 3, 0];  // accessible along +d, -d: core, cavity, both, undercut
 
-// Axes of the maps, twisted so that walls do not fall on whole rows of texels (mold/map_frame.cpp).
-function mapFrame(d) {
-  const [x, y, z] = d.map(Math.abs), least = [0, 0, 0];
-  least[x <= y && x <= z ? 0 : y <= z ? 1 : 2] = 1;
-  const turned = moved(turning(d, 0.3217), unit(cross(least, d)));
-  return [turned, cross(d, turned)];
-}
 
 async function unpackedPart({data, bytes: wide, corners, facets}) {
   const bytes = await inflated(data), count = 3 * corners, whole = new Uint8Array(count * wide);
@@ -22,16 +15,15 @@ async function unpackedPart({data, bytes: wide, corners, facets}) {
 
 class LiveMaps {
   constructor(tools, live, mesh) {
-    const {facets, points, indices, normals, end, across} = mesh, {centre, diagonal} = live;
-    const places = corners(mesh, centre, diagonal), place = (v) => inUnit(live, at(points, v));
+    const {facets, points, indices, normals, end, opposite} = mesh;
+    const places = corners(mesh, live), place = (v) => inUnit(live, at(points, v));
     const rows = Math.ceil(facets / rowLength), planes = new Float32Array(4 * rows * rowLength);
-    const edges = [], ends = [], sides = [];
+    const ends = [], sides = [];
     for (let f = 0; f < facets; ++f)
       planes.set([...at(normals, f), dot(at(normals, f), place(indices[3 * f]))], 4 * f);
-    // Sharp edges, which are drawn, and those at which the solid fills more than a half space, which get strips.
-    eachEdge(mesh, (h, left, right, bent) => {
-      const start = place(indices[h]), stop = place(end(h)), along = plus(stop, scaled(start, -1));
-      if (bent) edges.push(...start, ...stop);
+    // Strips are along edges at which the solid fills more than a half space.
+    eachEdge(mesh, (h, left, right) => {
+      const start = place(indices[h]), stop = place(end(h)), along = minus(stop, start);
       if (dot(cross(at(normals, left), at(normals, right)), along) >= -1e-4 * Math.hypot(...along)) return;
       ends.push([...start, ...stop]);
       sides.push([left, right]);
@@ -42,8 +34,8 @@ class LiveMaps {
       floats.set(ends[k >> 2], 8 * k);
       numbers.set(sides[k >> 2], 8 * k + 6);
     }
-    Object.assign(this, {tools, gl: tools.gl, live, mesh, sides, sizes: {}, closed: !across.includes(-1),
-      half: boxed(places, 6)[1], surface: tools.buffer(places, [3, 3]), edges: tools.buffer(edges, [3]),
+    Object.assign(this, {tools, gl: tools.gl, live, mesh, sides, sizes: {}, closed: !opposite.includes(-1),
+      half: boxed(places, 6)[1], surface: tools.buffer(places, [3, 3]),
       strips: tools.buffer(floats, [3, 3, -2]),
       classes: new Uint8Array(rows * rowLength), classTexels: tools.texture("R8UI", rowLength, rows, null),
       planeTexels: tools.texture("RGBA32F", rowLength, rows, planes)});
@@ -52,17 +44,15 @@ class LiveMaps {
   }
   // Of equal weight, where the program has them (mold/surface_samples.cpp).
   addSamples(places) {
-    const {tools, mesh: {facets, vectors}, live: {samples: count}} = this, rows = Math.ceil(count / sampleRow);
+    const {tools, mesh: {facets, areas}, live: {samples: count}} = this, rows = Math.ceil(count / sampleRow);
     const floats = new Float32Array(4 * sampleRow * rows), numbers = new Uint32Array(floats.buffer);
-    const areas = Float64Array.from({length: facets}, (_, f) => 0.5 * Math.hypot(...at(vectors, f)));
     this.total = areas.reduce((sum, area) => sum + area, 0);
     for (let f = 0, k = 0, u = 0, v = 0, covered = 0; f < facets; ++f) {
-      const corner = (i, axis) => places[18 * f + 6 * i + axis];
       covered += areas[f] * count / this.total;
       for (; k < count && k + 0.5 < covered; ++k) {
         const [s, t] = u + v > 1 ? [1 - u, 1 - v] : [u, v];
-        for (let axis = 0; axis < 3; ++axis)
-          floats[4 * k + axis] = (1 - s - t) * corner(0, axis) + s * corner(1, axis) + t * corner(2, axis);
+        const shares = [1 - s - t, s, t].map((share, i) => scaled(at(places, 6 * f + 2 * i), share));
+        floats.set(plus(...shares), 4 * k);
         numbers[4 * k + 3] = f;
         u = (u + 0.7548776662466927) % 1;
         v = (v + 0.5698402909980532) % 1;
@@ -70,7 +60,7 @@ class LiveMaps {
     }
     Object.assign(this, {floats, numbers, sampleRows: rows, verdicts: new Uint32Array(4 * sampleRow * rows),
       sampleTexels: tools.texture("RGBA32UI", sampleRow, rows, numbers),
-      verdictTarget: tools.target(tools.texture("R8UI", sampleRow, rows, null))});
+      verdictTarget: tools.target(tools.texture("R8UI", sampleRow, rows, null, 1), 0)});
   }
   made(resolution) {
     const {gl, tools} = this, depth = gl.createRenderbuffer();
@@ -79,17 +69,17 @@ class LiveMaps {
     gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, resolution, resolution);
     return {maps, targets: [0, 1].map((layer) => tools.target(maps, layer, depth))};
   }
-  // Draws both. Of settings: tau in degrees, lateral tolerance in the unit frame, edge thickness and resolution in
-  // texels.
-  draw(direction, {tau, lateral, thickness, resolution}) {
+  // Draws both (Live.settings).
+  draw({direction, tau, lateral, thickness, resolution}) {
     const {gl, tools, mesh: {normals, facets}, classes} = this, limit = Math.sin(tau * Math.PI / 180);
-    const [dx, dy, dz] = direction, frame = mapFrame(direction);
-    // The maps are as wide as the part is across; edges may reach beyond it by two texels.
-    const across = 2 * Math.max(...frame.map((axis) => dot(axis.map(Math.abs), this.half)));
-    const scale = (1 - 8 / resolution) / across, texel = 1 / resolution / scale;
     const {maps, targets} = this.sizes[resolution] ??= this.made(resolution);
+    // Axes of the maps, twisted so that walls do not fall on whole rows of texels (mold/map_frame.cpp). The maps are as
+    // wide as the part is across; edges may reach beyond it by two texels.
+    const x = moved(turning(direction, 0.3217), across(direction)), y = cross(direction, x);
+    const wide = 2 * Math.max(...[x, y].map((along) => dot(along.map(Math.abs), this.half)));
+    const scale = (1 - 8 / resolution) / wide, texel = 1 / resolution / scale;
     for (let f = 0; f < facets; ++f) {
-      const sine = normals[3 * f] * dx + normals[3 * f + 1] * dy + normals[3 * f + 2] * dz;
+      const sine = dot(at(normals, f), direction);
       classes[f] = sine >= limit ? 0 : sine <= -limit ? 1 : 2;
     }
     gl.bindTexture(gl.TEXTURE_2D, this.classTexels);
@@ -98,7 +88,7 @@ class LiveMaps {
       classes);
     // What the shaders ask about direction, facets and maps. Half a texel's diagonal is the least lateral tolerance, so
     // that the texel beside a wall is beside it, too.
-    this.asked = {u_direction: direction, u_map_x: frame[0], u_map_y: frame[1], u_map_size: resolution,
+    this.asked = {u_direction: direction, u_map_x: x, u_map_y: y, u_map_size: resolution,
       u_map_scale: scale, u_lateral: Math.max(lateral, 0.71 * texel), t_facet_class: this.classTexels,
       t_planes: this.planeTexels};
     for (const [layer, u_side] of [[0, 1], [1, -1]]) {

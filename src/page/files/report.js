@@ -1,6 +1,13 @@
 // The view that turns follows hand and controls. Where it cannot be drawn, the picture stays.
+// Calls use(x, y, event) with the way on the screen for which an arrow key of the element stands.
+function onArrowKeys(element, use) {
+  element.addEventListener("keydown", (event) => {
+    const way = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
+    if (way) { use(...way, event); event.preventDefault(); }
+  });
+}
 function listen(view) {
-  const {canvas, figure} = view, held = new Map(), control = (name) => figure.querySelector("#" + name);
+  const {canvas, figure} = view, held = new Map();
   const gap = () => { const [a, b] = [...held.values()]; return Math.hypot(a[0] - b[0], a[1] - b[1]); };
   let grabbed = null, way = 0;  // an arrow; how far the pointer went
   canvas.onpointerdown = (event) => {
@@ -37,20 +44,16 @@ function listen(view) {
     view.scale(Math.exp(-0.0015 * event.deltaY));
   }, {passive: false});
   canvas.onkeydown = (event) => {
-    const turns = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]}[event.key];
-    const factor = {"+": 1.15, "-": 1 / 1.15}[event.key];
-    if (turns) view.turn(...turns);
-    else if (factor) view.scale(factor);
-    else if (event.key === "Home") view.home();
-    else return;
-    event.preventDefault();
+    const act = {"+": () => view.scale(1.15), "-": () => view.scale(1 / 1.15), Home: () => view.home()}[event.key];
+    if (act) { act(); event.preventDefault(); }
   };
-  canvas.ondblclick = control("home").onclick = () => view.home();
+  onArrowKeys(canvas, (x, y) => view.turn(0.1 * x, -0.1 * y));
+  canvas.ondblclick = byId("home").onclick = () => view.home();
   for (const [name, field] of [["open", "opened"], ["clear", "clear"], ["cut", "cut"]])
-    control(name).oninput = (event) => { view[field] = Number(event.target.value); view.ask(); };
-  control("plane").onchange = (event) => {
+    byId(name).oninput = (event) => { view[field] = Number(event.target.value); view.ask(); };
+  byId("plane").onchange = (event) => {
     view.plane = event.target.value;
-    control("cut").disabled = !view.plane;
+    byId("cut").disabled = !view.plane;
     view.ask();
   };
   for (const box of figure.querySelectorAll("input[data-group]")) {
@@ -66,7 +69,7 @@ function listen(view) {
 }
 
 async function begin() {
-  const figure = document.getElementById("view"), model = pageData("model"), live = pageData("live");
+  const figure = byId("view"), model = pageData("model"), live = pageData("live");
   if (!model) return null;
   const view = new View(figure, await unpacked(model), Boolean(live));
   for (const part of [view.canvas, view.tags, figure.querySelector(":scope > .controls")]) part.hidden = false;

@@ -1,20 +1,23 @@
 // Draws the model with WebGL 2, as it is turned, opened, cut and looked through.
 const still = turning([0, 0, 1], 0), uncut = [0, 0, 0, 1], edgeInk = [0.07, 0.08, 0.1];
+// From the part's surface along z, a line after the other.
+const arrow = [0, 0, 0.04, 0, 0, 0.18].concat(
+  ...[[1, 0], [-1, 0], [0, 1], [0, -1]].map(([x, y]) => [0, 0, 0.18, 0.014 * x, 0.014 * y, 0.14]));
 
 class View {
   constructor(figure, model, live) {
     const canvas = figure.querySelector("canvas"), tools = new Tools(canvas, live);
-    const up = unit(model.direction), aside = this.across(up);
+    const up = unit(model.direction), aside = across(up);
     // `live`: shadow maps of any direction (live_maps.js), which draw in place of the groups once it is `byMaps`.
     // `marks`: over the surface, {buffer, kind, ink}.
     Object.assign(this, {figure, model, canvas, tools, gl: tools.gl, up, aside, front: cross(up, aside),
       tags: figure.querySelector(".tags"), opened: model.opened, clear: 0, plane: "", cut: 0.5,
       live: null, byMaps: false, marks: [], surface: tools.program("surface"), lines: tools.program("line"),
-      shapes: shaped(model, tools), shown: model.groups.map((group) => !group.hidden)});
+      shapes: shaped(model, tools), arrow: tools.buffer(arrow, [3]),
+      shown: model.groups.map((group) => !group.hidden)});
     this.aim(up);
     this.home();
   }
-  across(direction) { return unit(cross(direction, Math.abs(direction[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0])); }
   home() {
     const {model: {to_viewer: way}, up, aside, front} = this;
     this.tilt = this.pitch = Math.asin(between(dot(way, up), -1, 1));
@@ -26,23 +29,15 @@ class View {
   // The direction and its arrows, along it and against it.
   aim(direction) {
     const reach = Math.max(...this.shapes.flatMap(({box}) => box.map((p) => Math.abs(dot(direction, p)))));
-    const x = this.across(direction), y = cross(direction, x), lines = [];
-    for (const sign of [1, -1]) {
-      const along = (far, a, b) => plus(scaled(direction, sign * (reach + far)), scaled(x, a), scaled(y, b));
-      lines.push(along(0.04, 0, 0), along(0.18, 0, 0));
-      for (const [a, b] of [[1, 0], [-1, 0], [0, 1], [0, -1]])
-        lines.push(along(0.18, 0, 0), along(0.14, 0.014 * a, 0.014 * b));
-    }
-    if (this.arrows) this.tools.drop(this.arrows);
-    Object.assign(this, {direction, arrows: this.tools.buffer(lines.flat(), [3]),
-      tips: [1, -1].map((sign) => scaled(direction, sign * (reach + 0.22)))});
+    const x = across(direction), y = cross(direction, x), ways = [direction, scaled(direction, -1)];
+    Object.assign(this, {direction, tips: ways.map((way) => scaled(way, reach + 0.22)),
+      arrows: ways.map((way) => [...x, 0, ...y, 0, ...way, 0, ...scaled(way, reach), 1])});
     this.ask();
   }
   motion({turn, axis, point, shift}) {
-    const {diagonal} = this.model, matrix = turning(axis ?? [0, 0, 1], (turn ?? 0) * this.opened);
-    const centre = scaled(point ?? [0, 0, 0], 1 / diagonal), kept = moved(matrix, centre);
-    const way = this.byMaps ? scaled(this.direction, dot(shift, this.up)) : shift;
-    matrix.splice(12, 3, ...plus(scaled(way, this.opened / diagonal), centre, scaled(kept, -1)));
+    const matrix = turning(axis ?? [0, 0, 1], (turn ?? 0) * this.opened), centre = point ?? [0, 0, 0];
+    const way = scaled(this.byMaps ? scaled(this.direction, dot(shift, this.up)) : shift, this.opened);
+    matrix.splice(12, 3, ...scaled(minus(plus(way, centre), moved(matrix, centre)), 1 / this.model.diagonal));
     return matrix;
   }
   camera(motions, stood) {
@@ -58,16 +53,15 @@ class View {
     const away = (1.12 * Math.max(high, around / aspect) * f + 0.6 * around) / this.zoom;
     this.pixel = 2 * away / f / canvas.height;
     const eye = plus(scaled(right, -pan[0]), scaled(above, -pan[1]), scaled(toward, away));
-    const look = [0, 1, 2].flatMap((k) => [right[k], above[k], toward[k], 0])
-      .concat([right, above, toward].map((axis) => -dot(axis, eye)), 1);
+    const look = new DOMMatrix([...right, 0, ...above, 0, ...toward, 0, ...eye, 1]).inverse();
     const near = Math.max(0.05 * away, away - 4), far = away + 4, depth = near - far;
     const lens = [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / depth, -1, 0, 0, 2 * far * near / depth, 0];
-    return {clip: times(lens, look), eye, right, above, toward, aspect, f};
+    return {clip: new DOMMatrix(lens).multiply(look).toFloat32Array(), eye, right, above, toward, aspect, f};
   }
   // The plane across one of the axes: what lies beyond is cut away.
   section(stood) {
     if (!this.plane) return uncut;
-    const normal = this.plane === "d" ? this.direction : ["x", "y", "z"].map((axis) => axis === this.plane ? 1 : 0);
+    const normal = this.plane === "d" ? this.direction : axis("xyz".indexOf(this.plane));
     const heights = stood.map((p) => dot(normal, p)), low = Math.min(9, ...heights), high = Math.max(-9, ...heights);
     return [...normal, low + (high - low) * this.cut];
   }
@@ -114,9 +108,9 @@ class View {
     tools.begin({size, depth: opaque < 1 ? "LEQUAL" : "LESS", blend: opaque < 1, cull});
     surfaces(false, opaque);
     tools.begin({size, depth: "LEQUAL", blend: true});
-    if (this.byMaps && !this.opened) lines(this.live.edges, still, [...edgeInk, 0.55 * opaque], 0);
-    each((shape, group, motion) => {
-      if (!this.byMaps && !group.plain) lines(shape.edge, motion, [...edgeInk, 0.55 * (group.opaque ? 1 : opaque)], 0);
+    shapes.forEach((shape, k) => {
+      const {plain, opaque: whole} = model.groups[k], drawn = this.byMaps ? !this.opened : shown[k];
+      if (drawn && !plain) lines(shape.edge, motions[k], [...edgeInk, 0.55 * (whole ? 1 : opaque)], 0);
     });
     each((shape, group, motion) =>
       lines(shape.thick, motion, [...scaled(group.colour, 1 / 255), 1], Math.round(1.5 * ratio)));
@@ -124,7 +118,7 @@ class View {
     common.u_cut = uncut;
     for (const {buffer, kind, ink} of this.marks)
       lines(buffer, still, ink, kind === "LINES" ? Math.round(ratio) : 0, kind);
-    lines(this.arrows, still, [grey, grey, grey, 1], Math.round(ratio));
+    for (const motion of this.arrows) lines(this.arrow, motion, [grey, grey, grey, 1], Math.round(ratio));
     this.over?.(camera, {ratio, dark});
     this.tips.forEach((tip, k) => {
       const [left, top] = this.onScreen(tip), tag = this.tags.children[k];
@@ -132,7 +126,13 @@ class View {
       tag.hidden = left < 20 || top < 8 || left > box.width - 20 || top > box.height - 8;
     });
   }
-  // A place in the picture, from its upper left corner.
+  // From the eye through a place of the picture, which is given from its upper left corner.
+  sightAt(x, y) {
+    const {eye, right, above, toward, aspect, f, box} = this.seen;
+    const aside = scaled(right, (2 * x / box.width - 1) * aspect / f);
+    return {eye, way: unit(minus(plus(aside, scaled(above, (1 - 2 * y / box.height) / f)), toward))};
+  }
+  // Where in the picture a point is.
   onScreen(point) {
     const {clip, box} = this.seen, [x, y] = moved(clip, point), w = dot([clip[3], clip[7], clip[11]], point) + clip[15];
     return [box.width * (0.5 + 0.5 * x / w), box.height * (0.5 - 0.5 * y / w)];
