@@ -18,6 +18,14 @@ using test::run_moldlight;
 using test::SmallPart;
 using Json = nlohmann::ordered_json;
 
+/// What follows a hand: `press(element, x, y)` presses a place of the page and lets go.
+constexpr const char* k_press = R"js(
+  const press = (element, clientX, clientY) => {
+    element.setPointerCapture = () => {};  // no pointer of the browser's own is there
+    for (const type of ["pointerdown", "pointerup"])
+      element.dispatchEvent(new PointerEvent(type, {pointerId: 1, clientX, clientY, bubbles: true}));
+  };)js";
+
 constexpr const char* k_regions_json[] = {"core", "cavity", "both", "undercut"};
 
 std::vector<std::string> live_words(const std::string& part, const std::string& page) {
@@ -109,21 +117,53 @@ void LivePage::exact_areas_stand_for_the_asked_direction_and_its_opposite() {
 }
 
 void LivePage::a_click_shows_the_undercut_and_what_blocks_it() {
-  const Json found = this->found(
-      "live.go([0, 0, 1], true); view.draw();"
-      "const box = view.canvas.getBoundingClientRect(); found.regions = {};"
-      "for (let x = 0.05; x < 1; x += 0.03) for (let y = 0.05; y < 1; y += 0.03) {"
-      "  const hit = live.pick(x * box.width, y * box.height);"
-      "  if (!hit) continue;"
-      "  found.regions[hit.region] = (found.regions[hit.region] ?? 0) + 1;"
-      "  if (hit.region === 'undercut') { found.depth = hit.depth; found.area = hit.area;"
-      "    found.marks = view.marks.length; found.text = text('picked'); }"
-      "}");
-  ASSERT_TRUE(found["regions"].contains("undercut")) << found;
+  const Json found = this->found(std::string(k_press) + R"js(
+    live.go([0, 0, 1], true);
+    view.draw();
+    const box = view.canvas.getBoundingClientRect(), {mesh, size} = live.rays;
+    // Facet by facet: how far along a way the next surface that faces the point is.
+    const nearest = (point, way) => Math.min(...Array.from({length: mesh.facets}, (_, f) => {
+      const [a, b, c] = mesh.cornersOf(f), normal = at(mesh.normals, f), along = dot(normal, way);
+      const reach = dot(normal, minus(a, point)) / along, place = plus(point, scaled(way, reach));
+      const inside = [[a, b], [b, c], [c, a]].every(([start, stop]) =>
+        dot(normal, cross(minus(stop, start), minus(place, start))) >= 0);
+      return inside && along < 0 && reach > -1e-7 * size ? reach : Infinity;
+    }));
+    const corners = Array.from({length: mesh.facets}, (_, f) => mesh.cornersOf(f)).flat();
+    const heights = corners.map((corner) => corner[2]);
+    found.height = Math.max(...heights) - Math.min(...heights);
+    Object.assign(found, {regions: {}, off: 0, blocked: 0});
+    for (let x = 0.05; x < 1; x += 0.03) for (let y = 0.05; y < 1; y += 0.03) {
+      const hit = live.pick(x * box.width, y * box.height);
+      if (!hit) continue;
+      found.regions[hit.region] = (found.regions[hit.region] ?? 0) + 1;
+      if (hit.region !== "Undercut") continue;
+      const {eye, way} = view.sightAt(x * box.width, y * box.height), from = inPart(live.live, eye);
+      const point = plus(from, scaled(way, live.rays.hit(from, way, true).way));
+      for (const [side, blocker] of [[1, hit.blockers.plus], [-1, hit.blockers.minus]]) {
+        if (!blocker || hit.blockers.beside) continue;
+        ++found.blocked;
+        found.off = Math.max(found.off, Math.abs(blocker.way - nearest(point, [0, 0, side])) / size);
+      }
+      Object.assign(found, {depth: hit.depth, area: hit.area, marks: view.marks.length, at: [x, y]});
+    }
+    live.mark("", []);
+    const [x, y] = found.at;
+    press(view.canvas, box.left + x * box.width, box.top + y * box.height);
+    found.text = text("picked");)js");
+  ASSERT_TRUE(found["regions"].contains("Undercut")) << found;
+  EXPECT_GE(found["regions"].size(), 2u) << found;
   EXPECT_GT(found["depth"], 0.0);
+  EXPECT_LE(found["depth"], found["height"]);
+  EXPECT_LE(found["area"].get<double>(), 1.2 * exact_areas("0,0,1")["undercut"].get<double>());
   EXPECT_GT(found["area"], 0.0);
+  EXPECT_GT(found["blocked"], 0) << found;
+  EXPECT_LT(found["off"], 1e-9) << "what blocks it is the nearest surface along the direction";
   EXPECT_EQ(found["marks"], 3);
-  EXPECT_NE(found["text"].get<std::string>().find("blocks it"), std::string::npos) << found["text"];
+  const std::string text = found["text"];
+  EXPECT_TRUE(text.starts_with("Undercut of ")) << text;
+  EXPECT_NE(text.find(" deep along the direction."), std::string::npos) << text;
+  EXPECT_NE(text.find("blocks it"), std::string::npos) << text;
 }
 
 void LivePage::ball_arrow_field_and_keys_turn_the_direction() {
@@ -166,14 +206,49 @@ TEST_F(LivePage, ASweepsDirectionsAreExactCards) {
                      "--top", "4", "--scoring-samples", "2000", "--html", page(), "--live"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   load();
-  const Json found = this->found(
-      "found.cards = []; for (const card of document.querySelectorAll('.card')) {"
-      "card.click(); view.draw(); found.cards.push(live.exact); }"
-      "found.ball = Boolean(live.live.sphere); found.named = live.places.length;");
+  const Json found = this->found(std::string(k_press) + R"js(
+    found.cards = [];
+    for (const card of document.querySelectorAll(".card")) {
+      card.click();
+      view.draw();
+      found.cards.push(live.exact);
+    }
+    found.named = live.places.length;
+    const ball = live.ball.getBoundingClientRect(), stage = view.canvas.getBoundingClientRect(), {gl} = view;
+    // Where a direction is on the ball, in radii from its middle.
+    const placeOf = (direction) => [dot(direction, view.seen.right), dot(direction, view.seen.above)];
+    const go = ([x, y]) =>
+      press(live.ball, ball.left + ball.width * (0.5 + 0.5 * x), ball.top + ball.height * (0.5 - 0.5 * y));
+    // Away from all names.
+    const free = unit(plus(view.seen.toward, scaled(view.seen.right, -0.37), scaled(view.seen.above, -0.21)));
+    go(placeOf(free));
+    found.off = Math.hypot(...minus(view.direction, free));
+    live.change(true);
+    view.draw();
+    found.byMaps = !live.exact;
+    // Beside the second one's number, which is met.
+    const listed = live.places[4].direction;
+    const near = dot(listed, view.seen.toward) < 0 ? scaled(listed, -1) : listed;
+    go(placeOf(unit(plus(near, scaled(view.seen.right, 0.02)))));
+    live.change(true);
+    view.draw();
+    found.met = [1 - dot(view.direction, near), live.exact];
+    // The colours of the map, among them none of the bare ball's grays.
+    const ratio = view.canvas.width / stage.width, pixel = new Uint8Array(4);
+    found.colours = [[-0.4, -0.4], [0.3, -0.5], [-0.5, 0.1]].map(([x, y]) => {
+      const left = ball.left - stage.left + ball.width * (0.5 + 0.5 * x);
+      const bottom = stage.bottom - ball.bottom + ball.height * (0.5 + 0.5 * y);
+      gl.readPixels(ratio * left, ratio * bottom, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+      return Math.max(...pixel.slice(0, 3)) - Math.min(...pixel.slice(0, 3));
+    });)js");
   ASSERT_GE(found["cards"].size(), 2u);
   for (const Json& exact : found["cards"]) EXPECT_EQ(exact, true);
-  EXPECT_EQ(found["ball"], true);
   EXPECT_EQ(found["named"], 3 + found["cards"].size());
+  EXPECT_LT(found["off"], 0.03) << "a click goes where it is";
+  EXPECT_EQ(found["byMaps"], true);
+  EXPECT_LT(found["met"][0], 1e-12) << found;
+  EXPECT_EQ(found["met"][1], true);
+  for (const Json& spread : found["colours"]) EXPECT_GT(spread, 20) << found;
 }
 
 TEST(LiveFlag, NeedsAPage) {

@@ -3,6 +3,7 @@ const shortest = (value) => String(Number(value.toPrecision(4))).replace("-", "â
 const regionNames = ["Undercut", "Core", "Cavity", "Both"];  // by accessibility bits
 
 class Live {
+  // `sphere`: texels of the map on the ball; none for a bare one.
   constructor(view, live, mesh, sphere) {
     const {tools, figure} = view, size = live.sphere?.size ?? 1, ball = byId("ball");
     // Buttons, and what is named on the ball: axes, and the first of the listed directions by their numbers.
@@ -10,7 +11,7 @@ class Live {
       .map((element) => ({element, direction: unit(element.dataset.direction.split(",").map(Number))}));
     Object.assign(this, {view, live, ball, goals: directed("button[data-direction]"), places: directed("#ball span"),
       rays: new Rays(mesh), maps: new LiveMaps(tools, live, mesh), moving: 512, ballProgram: tools.program("ball"),
-      sphere: tools.texture("RGBA8", size, size, sphere)});
+      sphere: tools.texture("RGBA8", size, size, sphere ?? new Uint8Array(4))});
     Object.assign(view, {live: this.maps, before: () => this.redraw(), over: (...picture) => this.drawBall(...picture),
       pick: (x, y) => this.pick(x, y), grab: (x, y) => this.grab(x, y)});
     this.listen();
@@ -161,9 +162,4 @@ class Live {
        [hits.flatMap(([, hit]) => mesh.cornersOf(hit.facet)), "TRIANGLES", [0, 0, 0, 0.6]]]);
     return {region, blockers, facets, area, depth};
   }
-}
-
-async function beginLive(view, live) {
-  const sphere = live.sphere ? await inflated(live.sphere.data) : new Uint8Array(4);
-  return new Live(view, live, await unpackedPart(live), sphere);
 }

@@ -4,7 +4,6 @@ const rowLength = 2048;  // of facets in a texture, as shaders/common/facets.gls
 const sampleRow = 1024;  // of samples
 const regionBits = [1, 2, 3, 0];  // accessible along +d, -d: core, cavity, both, undercut
 
-
 async function unpackedPart({data, bytes: wide, corners, facets}) {
   const bytes = await inflated(data), count = 3 * corners, whole = new Uint8Array(count * wide);
   // The first byte of all coordinates, then the second …
@@ -35,8 +34,7 @@ class LiveMaps {
       numbers.set(sides[k >> 2], 8 * k + 6);
     }
     Object.assign(this, {tools, gl: tools.gl, live, mesh, sides, sizes: {}, closed: !opposite.includes(-1),
-      half: boxed(places, 6)[1], surface: tools.buffer(places, [3, 3]),
-      strips: tools.buffer(floats, [3, 3, -2]),
+      half: boxed(places, 6)[1], surface: tools.buffer(places, [3, 3]), strips: tools.buffer(floats, [3, 3, -2]),
       classes: new Uint8Array(rows * rowLength), classTexels: tools.texture("R8UI", rowLength, rows, null),
       planeTexels: tools.texture("RGBA32F", rowLength, rows, planes)});
     for (const name of ["facet_map", "strip_map", "samples", "live_surface"]) this[name] = tools.program(name);

@@ -76,7 +76,8 @@ async function begin() {
   figure.classList.add("live");
   listen(view);
   view.draw();
-  if (live) view.director = await beginLive(view, live);
+  if (live)
+    view.director = new Live(view, live, await unpackedPart(live), live.sphere && await inflated(live.sphere.data));
   return view;
 }
 // The view, or why there is none.
