@@ -30,7 +30,7 @@ App::App(const gl::Context& context, AppOptions options)
       layout_(options_.user.layout),
       thumbnails_(context, options_.shipped_parts, options_.wake),
       loader_({.wake = options_.wake, .wake_for_progress = true}),
-      export_({.wake = options_.wake}),
+      export_({.wake = options_.wake, .wake_for_progress = true}),
       file_watch_(options_.wake),
       measurer_(options_.make_context, options_.wake),
       study_(options_.wake),
@@ -235,9 +235,11 @@ void App::poll_jobs() {
   }
   if (loader_.running()) state_.loading->status = loader_.status();
   if (const auto outcome = export_.take()) {
-    say(outcome->result.value_or(outcome->error), !outcome->result);
-    if (!outcome->result) state_.dialogs.exporting = true;  // another path may do
+    const bool failed = !outcome->error.empty();
+    say(outcome->result.value_or(failed ? outcome->error : "Nothing was written"), failed);
+    if (failed && export_dialog_ != nullptr) state_.dialogs.*export_dialog_ = true;  // another path may do
   }
+  state_.exporting = export_.running() ? std::optional(export_.status()) : std::nullopt;
   sweep_.update(state_, state_.sweep, now_s_);
   // Not when a new sweep is asked for: the panels of that frame still show them.
   if (pictures_ && pictures_->result() != state_.sweep.result) pictures_.reset();

@@ -197,7 +197,8 @@ class App {
   PartThumbnails thumbnails_;
   using Loaded = std::variant<LoadedPart, std::shared_ptr<const BatchTable>>;
   Job<Loaded> loader_;
-  Job<std::string> export_;  // results in what is to be said
+  Job<std::string> export_;                 // results in what is to be said
+  bool Dialogs::*export_dialog_ = nullptr;  // where it was asked for; none: in a panel
   FileWatch file_watch_;
   Measurer measurer_;
   StudyFinder study_;

@@ -220,6 +220,7 @@ struct AppState : Editable {
   std::optional<CutSpan> span;     // under the cursor, where there is a section
   std::optional<ChosenFace> face;  // chosen by a click
   std::optional<Loading> loading;
+  std::optional<JobStatus> exporting;  // files are being written
   std::vector<Toast> toasts;
   bool can_undo = false, can_redo = false;
   bool shows_hints = false;   // to newcomers

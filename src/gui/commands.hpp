@@ -9,6 +9,7 @@
 #include "classify/classify_report.hpp"
 #include "gui/app_state.hpp"
 #include "gui/input.hpp"
+#include "report/part_report.hpp"
 
 namespace moldlight::gui {
 
@@ -70,6 +71,9 @@ struct Commands {
   void export_files(const OutputPaths& files, const std::string& picture);
   /// Writes what `mold` would write too.
   void export_mold(const MoldPaths& paths);
+  void export_report(const report::ReportOrder& order);
+  /// Gives up what is being written.
+  void cancel_export();
   /// Compares the part with another revision of it, a file, beside it.
   void compare_with(const std::string& path);
   /// Asks for that file, or leaves the comparison.

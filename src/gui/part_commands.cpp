@@ -17,11 +17,31 @@
 #include "gui/view/side_actions.hpp"
 #include "mold/round_wall.hpp"
 #include "parting/line_files.hpp"
+#include "report/describe/describe.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::gui {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// The part with its present questions, and with the answers that are there.
+Study known_study(const AppState& state) {
+  Study study = measured_study(state);
+  Questions questions = study.questions();
+  questions.with_actions = is_settled(state.actions);
+  if (state.sweep.result) questions.sweep = state.sweep.result->settings;
+  study.ask(questions);
+  if (questions.with_actions) study.keep(state.actions.plan);
+  if (state.sweep.result) study.keep(state.sweep.result);
+  if (!is_settled(state.mold)) return study;
+  study.keep<moldlight::MoldLine>(state.mold.line);
+  study.keep(std::make_shared<const MoldHalves>(state.mold.solids->halves));
+  return study;
+}
+
+}  // namespace
 
 void Commands::open_part(const std::string& path) { app.open(path); }
 
@@ -150,22 +170,20 @@ void Commands::save_picture(const std::string& path) {
 void Commands::export_files(const OutputPaths& files, const std::string& picture) {
   const Figures& figures = app.state_.figures;
   if (app.export_.running() || !figures.shown || figures.measuring) return;
-  app.export_.start([files, palette = app.state_.settings.look.palette, model = app.state_.model,
-                     result = *figures.shown](const Progress&) {
-    write_outputs(files, *model, result, palette);
-    std::string names;
-    fs::path folder;
-    for (const std::string* path :
-         {&files.json, &files.facets, &files.faces, &files.mesh, &files.split_folder, &files.borders}) {
-      if (path->empty()) continue;
-      folder = fs::path(*path).parent_path();
-      names += (names.empty() ? "" : ", ") + fs::path(*path).filename().string();
-    }
-    return names.empty() ? std::string("Exported") : fmt::format("Exported {} to {}", names, folder.string());
-  });
-  for (const std::string* path : {&picture, &files.json, &files.mesh, &files.split_folder, &files.borders}) {
-    if (!path->empty()) app.saved_to_ = fs::path(*path).parent_path().string();
+  std::string names;
+  for (const std::string* path :
+       {&files.json, &files.facets, &files.faces, &files.mesh, &files.split_folder, &files.borders}) {
+    if (path->empty()) continue;
+    app.saved_to_ = fs::path(*path).parent_path().string();
+    names += (names.empty() ? " " : ", ") + fs::path(*path).filename().string();
   }
+  app.export_dialog_ = &Dialogs::exporting;
+  app.export_.start(
+      [files, palette = app.state_.settings.look.palette, model = app.state_.model, result = *figures.shown,
+       said = "Exported" + (names.empty() ? names : names + " to " + app.saved_to_)](const Progress&) {
+        write_outputs(files, *model, result, palette);
+        return said;
+      });
   if (!picture.empty()) save_picture(picture);
 }
 
@@ -238,15 +256,26 @@ void Commands::move_hovered_face() {
   if (app.state_.hover) move_face(app.state_.hover->point.facet);
 }
 
+void Commands::export_report(const report::ReportOrder& order) {
+  const AppState& state = app.state_;
+  if (app.export_.running() || !state.figures.split || state.figures.measuring) return;
+  app.export_dialog_ = nullptr;
+  app.export_.start([order, study = known_study(state), palette = state.settings.look.palette,
+                     make_context = app.options_.make_context](const Progress& progress) mutable {
+    const auto gl = make_context(study.questions().query.method.backend);
+    return write_report(order, {study.shared_model(), progress, gl.get(), palette, false, MOLDLIGHT_VERSION},
+                        study);
+  });
+}
+
+void Commands::cancel_export() { app.export_.cancel(); }
+
 void Commands::export_mold(const MoldPaths& paths) {
   const MoldState& mold = app.state_.mold;
   if (app.export_.running() || !is_settled(mold)) return;
-  Study study = measured_study(app.state_);
-  Questions questions = study.questions();
-  questions.with_actions = is_settled(app.state_.actions);
-  study.ask(questions);
-  if (questions.with_actions) study.keep(app.state_.actions.plan);
-  app.export_.start([paths, study, line = mold.line, solids = mold.solids](const Progress& progress) mutable {
+  Study study = known_study(app.state_);
+  app.export_dialog_ = &Dialogs::exporting_mold;
+  app.export_.start([=, line = mold.line, solids = mold.solids](const Progress& progress) mutable {
     for (const std::string& path : paths.lines) {
       fs::create_directories(fs::path(path).parent_path());
       write_lines(path, lines_to_write(study.model(), line->assignment, line->line));
@@ -256,7 +285,6 @@ void Commands::export_mold(const MoldPaths& paths) {
     if (!paths.json.empty()) {
       MoldHalves halves = solids->halves;
       halves.written = written;  // with the files' names
-      study.keep<moldlight::MoldLine>(line);
       study.keep(std::make_shared<const MoldHalves>(std::move(halves)));
       write_text(paths.json, mold_json(study, progress).dump(2) + "\n");
     }

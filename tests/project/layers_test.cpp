@@ -50,7 +50,7 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"batch", {"base", "io", "page", "classify"}},
       {"report", k_report},
       {"step", {"io", "mesh"}},
-      {"gui", k_entry},
+      {"gui", with(k_entry, "report")},
       {"cli", k_program},
       {"python", k_python},
       {"freecad", {}},  // Python alone

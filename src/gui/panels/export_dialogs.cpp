@@ -14,12 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Beside the part, named after it.
-std::string beside_part(const AppState& state, const char* ending) {
-  const fs::path part(state.path);
-  return (part.parent_path() / (part.stem().string() + ending)).string();
-}
-
 /// Why the halves are not written; empty where they are.
 std::string refusal_of(const AppState& state) {
   if (std::string refusal = halves_refusal(state); !refusal.empty()) return refusal;
@@ -28,6 +22,11 @@ std::string refusal_of(const AppState& state) {
 }
 
 }  // namespace
+
+std::string beside_part(const AppState& state, const char* ending) {
+  const fs::path part(state.path);
+  return (part.parent_path() / (part.stem().string() + ending)).string();
+}
 
 bool PathDialog::draw(const Ui& ui, const Form& form, const std::function<Ready()>& draw_rows, bool& open) {
   bool confirmed = false, left = false;

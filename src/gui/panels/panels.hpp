@@ -62,10 +62,10 @@ void draw_draft_key(const PanelContext& context);
 void draw_opening(const PanelContext& context);
 /// The shadow maps with the controls of their method, along the bottom.
 void draw_maps_drawer(const PanelContext& context, const MapTextures& textures);
-/// Pictures and files of what was found: into the panel that is open.
-void draw_report_controls(const PanelContext& context);
 /// How far the shadow maps are from exact regions, while the regions come from them; two lines of small text.
 void draw_map_comparison(const PanelContext& context);
+/// A path beside the part, named after it.
+[[nodiscard]] std::string beside_part(const AppState& state, const char* ending);
 void draw_regions_panel(const PanelContext& context);
 void draw_chosen_face(const PanelContext& context);
 void draw_cursor_readout(const PanelContext& context);

@@ -62,6 +62,17 @@ class DraftPanel {
   TableBar bar_;
 };
 
+/// What is written of the part: pictures, files and the report.
+class ReportPanel {
+ public:
+  void draw(const PanelContext& context);
+
+ private:
+  report::ReportOrder order_;
+  std::string proposed_;  // path, beside the part
+  std::array<char, 1024> path_{};
+};
+
 /// The chart's, as it is drawn: from which to which draft, and the areas' ends in it.
 struct DraftChart {
   static constexpr double k_from_deg = -5.0, k_to_deg = 10.0;
@@ -111,6 +122,7 @@ class StepPanels {
   SweepPanel sweep;
   TableBar actions, line, mold;
   DraftPanel draft;
+  ReportPanel report;
 };
 
 }  // namespace moldlight::gui

@@ -150,7 +150,7 @@ const std::array<StepRow, 7>& step_rows() {
          draw_mold_panel(context, panels.mold);
        }},
       {Step::report, "Report", "Pictures and files of what was found.", nullptr,
-       [](StepPanels&, const PanelContext& context, Pictures) { draw_report_controls(context); }},
+       [](StepPanels& panels, const PanelContext& context, Pictures) { panels.report.draw(context); }},
   }};
   return k_rows;
 }
