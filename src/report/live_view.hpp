@@ -50,9 +50,9 @@ struct LiveView {
   Image sphere = {};  // undercut over the half-sphere, Lambert's equal-area map about +z; may be empty
 };
 
-/// For the page's script. Each known direction comes before its opposite. The mesh is in `data`, as PackedBytes: the coordinates of the vertices in the order
-/// of their first use, in single precision where that holds them and else in double, first the first byte of
-/// all of them; then the corners (pack_corners).
+/// For the page's script. Each known direction comes before its opposite. The mesh is in `data`, as
+/// PackedBytes: the coordinates of the vertices in the order of their first use, in single precision where
+/// that holds them and else in double, first the first byte of all of them; then the corners (pack_corners).
 [[nodiscard]] Json packed(const LiveView& live);
 
 /// What is shown over the part, and below it.
