@@ -66,7 +66,8 @@ Json undercut_json(const Part& part, const UndercutReport& noted, std::size_t nu
                {"side", side_name(noted.core_side)},
                {"blocked_by", facets_json(part, noted.blocked_by)},
                {"point", point_json(noted.point)},
-               {"pinned", noted.pin ? Json(pin_name(*noted.pin)) : Json()}};
+               {"pinned", noted.pin ? Json(pin_name(*noted.pin)) : Json()},
+               {"closed_void", noted.closed_void}};
   put_figures(found_figures(undercut_sizes(), noted.undercut), json);
   put_figures(found_figures(undercut_figures(), noted), json);
   return json;
@@ -142,6 +143,7 @@ std::string change_text(const ActionsReport& report, std::size_t undercut) {
         "widen the mouth from {} to {} {}, for a lifter", rounded(refused->travel + refused->room),
         rounded(refused->travel + report.settings.lifter_room_mm * unit_per_mm(model.part)), unit));
   const DesignChange& change = report.changes[undercut];
+  if (report.plan.undercuts[undercut].closed_void) ways.emplace_back("fill the void");
   if (change.depth) ways.push_back(fmt::format("cut back by {} {}", rounded(*change.depth), unit));
   if (const auto& window = change.window) {
     const FigureStyle style(model);

@@ -360,10 +360,15 @@ class Finder {
   }
 
   void report(ActionPlan& plan) const {
+    const std::vector<bool> in_void = plan.unreleased.empty()
+                                          ? std::vector<bool>(model_.part.mesh.facets.size(), false)
+                                          : void_facets(model_.part.mesh, model_.adjacency);
     for (std::size_t k = 0; k < undercuts_.counted.size(); ++k) {
       progress_.report("describing undercuts", 0.9);
       UndercutReport& noted = plan.undercuts[k];
       noted.blocked_by = blockers(model_, split_, noted.undercut, query_.direction);
+      noted.closed_void = std::ranges::all_of(
+          noted.undercut.pieces, [&](std::uint32_t piece) { return in_void[split_.pieces[piece].facet]; });
       place(k, noted);
       const SideAction* action = action_of(plan, k);
       if (action != nullptr) {

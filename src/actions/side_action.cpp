@@ -36,6 +36,7 @@ const SideAction* action_of(const ActionPlan& plan, std::size_t undercut) {
 std::string unreleased_text(const ActionPlan& plan, std::size_t undercut) {
   const std::optional<ActionPin>& pin = plan.undercuts[undercut].pin;
   if (pin && !pin->kind) return "left as it is";
+  if (plan.undercuts[undercut].closed_void) return "a closed void, which no mold forms";
   return fmt::format("{} releases {}",
                      pin ? fmt::format("no {}", facts(*pin->kind).singular) : "nothing that was tried",
                      action_of(plan, undercut) == nullptr ? "it" : "the rest of it");

@@ -103,6 +103,7 @@ struct UndercutReport {
   std::vector<FacetIndex> formed;  // facets that the action forms with it, wholly, rising
   std::vector<FacetIndex> blocked_by;  // facets that hide it, the most frequent first
   glm::dvec3 point{0.0};               // on it, by which a pin finds it again
+  bool closed_void = false;            // without an opening: no mold forms it
   std::optional<ActionPin> pin;
 };
 

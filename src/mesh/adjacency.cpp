@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -218,6 +219,41 @@ std::vector<bool> solid_facets(const TriangleMesh& mesh, const Adjacency& adjace
   for (const FacetIndex facet : open) solid_body[bodies.find(facet)] = false;
   for (FacetIndex facet = 0; facet < count; ++facet) solid[facet] = solid_body[bodies.find(facet)];
   return solid;
+}
+
+std::vector<bool> void_facets(const TriangleMesh& mesh, const Adjacency& adjacency) {
+  const std::size_t count = mesh.facets.size();
+  UnionFind shells(count);
+  for (FacetIndex facet = 0; facet < count; ++facet) {
+    for (const FacetIndex across : adjacency.across[facet]) {
+      if (across != k_no_facet) shells.join(facet, across);
+    }
+  }
+  const glm::dvec3 origin = bounds(mesh).center();
+  std::vector<double> volumes(count, 0.0);                                     // six times, by shell
+  std::map<std::tuple<std::uint32_t, VertexIndex, VertexIndex>, int> balance;  // of a shell at its cut edges
+  for (FacetIndex facet = 0; facet < count; ++facet) {
+    const auto& corners = mesh.facets[facet];
+    if (is_collapsed(corners)) continue;
+    const std::uint32_t shell = shells.find(facet);
+    volumes[shell] +=
+        glm::dot(mesh.vertices[corners[0]] - origin,
+                 glm::cross(mesh.vertices[corners[1]] - origin, mesh.vertices[corners[2]] - origin));
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (adjacency.across[facet][corner] != k_no_facet) continue;
+      const VertexIndex from = corners[corner], to = corners[(corner + 1) % 3];
+      balance[{shell, std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
+    }
+  }
+  std::vector<bool> closed(count, true), found(count);
+  for (const auto& [edge, sum] : balance) {
+    if (sum != 0) closed[std::get<0>(edge)] = false;
+  }
+  for (FacetIndex facet = 0; facet < count; ++facet) {
+    const std::uint32_t shell = shells.find(facet);
+    found[facet] = closed[shell] && volumes[shell] < 0.0;
+  }
+  return found;
 }
 
 BentEdges bent_edges(const TriangleMesh& mesh, const FacetGeometry& geometry, const Adjacency& adjacency) {

@@ -88,6 +88,10 @@ struct Components {
 /// facets enclose nothing and open nothing.
 [[nodiscard]] std::vector<bool> solid_facets(const TriangleMesh& mesh, const Adjacency& adjacency);
 
+/// True for the facets of voids without an opening: closed surface of negative volume that hangs together
+/// over edges that join two facets. It may touch other surface in an edge.
+[[nodiscard]] std::vector<bool> void_facets(const TriangleMesh& mesh, const Adjacency& adjacency);
+
 /// Edge from vertex `a` to vertex `b`, in the sense in which `left` runs through it; `right` is the facet
 /// across.
 struct FacetEdge {

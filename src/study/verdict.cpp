@@ -184,6 +184,16 @@ class Judge {
   void add_plan(const ActionPlan& plan) {
     const auto meeting =
         std::ranges::count_if(plan.actions, [](const SideAction& action) { return !action.meets.empty(); });
+    std::string voids;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < plan.undercuts.size(); ++k) {
+      if (plan.undercuts[k].closed_void) voids += fmt::format("{}{}", ++count > 1 ? ", " : "", k + 1);
+    }
+    if (count > 0)
+      add(fmt::format("{} {} {}, which no mold forms. Fill {}, or open {} to the outside.",
+                      count == 1 ? "Undercut" : "Undercuts", voids,
+                      count == 1 ? "is a closed void" : "are closed voids", count == 1 ? "it" : "them",
+                      count == 1 ? "it" : "them"));
     if (meeting > 0)
       add(fmt::format("The ways of {} cross.", plural(static_cast<std::size_t>(meeting), "action")));
   }

@@ -175,6 +175,17 @@ TEST(Components, SharedEdgeConnectsAndSharedVertexDoesNot) {
       connected_components(weld_vertices(test::joined(box, test::box_mesh({1, 1, 1}, {2, 2, 2})))).count, 2u);
 }
 
+TEST(VoidFacets, AreThoseOfClosedSurfaceThatFacesInwards) {
+  TriangleMesh inner = test::box_mesh({1, 1, 1}, {2, 2, 2});
+  for (FacetIndex facet = 0; facet < inner.facets.size(); ++facet) test::reverse_facet(inner, facet);
+  TriangleMesh mesh = weld_vertices(test::joined(test::box_mesh({0, 0, 0}, {4, 4, 4}), inner));
+  std::vector<bool> in_void = void_facets(mesh, build_adjacency(mesh));
+  for (FacetIndex facet = 0; facet < 24; ++facet) EXPECT_EQ(in_void[facet], facet >= 12) << facet;
+  mesh.facets.pop_back();
+  in_void = void_facets(mesh, build_adjacency(mesh));
+  EXPECT_EQ(std::ranges::count(in_void, true), 0) << "it has an opening";
+}
+
 TEST(Components, CollapsedFacetsBelongToNone) {
   TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 1, 1});
   mesh.facets.push_back({0, 0, 1});

@@ -60,6 +60,10 @@ TEST(VerdictOf, AVoidIsNotReleasableAndItsAreaIsSaidFirst) {
   EXPECT_TRUE(verdict.sentence.starts_with("Not releasable: no action that was tried releases "))
       << verdict.sentence;
   EXPECT_GT(verdict.unreleased_area, 0.9 * verdict.undercut_area);
+  EXPECT_EQ(std::ranges::count(
+                verdict.reasons,
+                "Undercut 1 is a closed void, which no mold forms. Fill it, or open it to the outside."),
+            1);
 }
 
 TEST(VerdictOf, AnOpenMeshIsNeverATwoPlateMold) {
