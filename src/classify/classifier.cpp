@@ -26,7 +26,8 @@ MapSettings map_settings(const MethodSettings& settings, double diagonal) {
   map.resolution = settings.resolution;
   map.edge_thickness = settings.edge_thickness;
   map.symmetric_kernel = settings.kernel_shape == KernelShape::symmetric;
-  map.lateral = lateral_tolerance(settings, diagonal) / diagonal;
+  map.lateral =
+      settings.kernel > 0 ? kernel_share(settings) : lateral_tolerance(settings, diagonal) / diagonal;
   map.kernel_radius = static_cast<int>(std::lround(map.lateral * settings.resolution));
   // The paper's kernel is 3 x 3 where nobody says otherwise, however coarse the maps.
   if (settings.kernel == 0 && settings.tolerance <= 0.0) map.kernel_radius = std::max(1, map.kernel_radius);

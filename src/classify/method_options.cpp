@@ -13,8 +13,12 @@ std::span<const Option<MethodSettings>> method_options() {
        "Near-vertical tolerance (τ). A facet with less draft is tested along both directions.",
        RealKind<S>{&S::tau_deg, 0.0, 10.0, 0.1}},
       {"kernel", "--kernel", "Kernel", "texel",
-       "Width of the PCF kernel for near-vertical facets. Its radius becomes the lateral tolerance.",
+       "Width of the PCF kernel for near-vertical facets in the shadow maps. The default is as wide as the "
+       "lateral tolerance.",
        IntegerKind<S>{&S::kernel, 1, 9, true, 3}},
+      {"couple_kernel", "--couple-kernel", "Lateral tolerance by the kernel", "",
+       "Take the radius of --kernel as the lateral tolerance of the exact regions, too.",
+       SwitchKind<S>{&S::couple_kernel}},
       {"tolerance", "--tolerance", "Lateral tolerance", "part's unit",
        "Lateral tolerance (δ): distance beside a near-vertical facet at which it is tested. The default is "
        "1/2048 of the part's diagonal.",
@@ -83,10 +87,15 @@ std::span<const Option<ReadOptions>> reading_options() {
   return k_options;
 }
 
+double kernel_share(const MethodSettings& settings) {
+  return 0.5 * (settings.kernel - 1) / settings.resolution;
+}
+
 double lateral_tolerance(const MethodSettings& settings, double diagonal) {
   constexpr double k_standard_share = 1.0 / 2048.0;
+  if (settings.kernel > 0 && (settings.couple_kernel || settings.readout != Readout::exact))
+    return kernel_share(settings) * diagonal;
   if (settings.tolerance > 0.0) return std::min(settings.tolerance, diagonal);
-  if (settings.kernel > 0) return 0.5 * (settings.kernel - 1) * diagonal / settings.resolution;
   return k_standard_share * diagonal;
 }
 

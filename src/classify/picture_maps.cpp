@@ -19,6 +19,7 @@ MethodSettings moving_method(const MethodSettings& settings, double diagonal) {
   // A symmetric kernel is made of whole texels of its maps.
   if (settings.kernel_shape == KernelShape::symmetric) return moving;
   const double lateral = map_settings(settings, diagonal).lateral;
+  moving.kernel = 0;
   moving.tolerance = diagonal * std::max(lateral, k_least_lateral_texels / moving.resolution);
   return moving;
 }

@@ -21,9 +21,10 @@ using Backend = gl::HeadlessBackend;
 
 /// How regions are found, whatever the direction.
 struct MethodSettings {
-  double tau_deg = 1.0;  // [0, 10]
-  int kernel = 0;  // PCF kernel width in texels, odd, [1, 9]; its radius is the lateral tolerance; 0: unset
-  double tolerance = 0.0;  // lateral tolerance in model units; replaces the kernel width; 0: unset
+  double tau_deg = 1.0;    // [0, 10]
+  int kernel = 0;          // PCF kernel width of the maps in texels, odd, [1, 9]; 0: as the lateral tolerance
+  double tolerance = 0.0;  // lateral tolerance in model units; 0: unset
+  bool couple_kernel = false;  // the lateral tolerance is the kernel's radius, where that is set
   KernelShape kernel_shape = KernelShape::one_sided;
   double edge_thickness = 2.0;  // width of the thick concave contour edges in texels, [0, 8]
   int resolution = 2048;        // shadow maps are resolution x resolution texels, [64, 8192]
@@ -42,8 +43,12 @@ struct Query {
   bool operator==(const Query&) const = default;
 };
 
+/// Radius of the kernel, which is set, as a share of the part's diagonal.
+[[nodiscard]] double kernel_share(const MethodSettings& settings);
+
 /// The lateral tolerance that the settings mean for a part of this diagonal, both in model units: where they
-/// say nothing, 1/2048 of the diagonal, whatever the resolution; never more than the diagonal.
+/// say nothing, 1/2048 of the diagonal, whatever the resolution; never more than the diagonal. The kernel's
+/// radius where it is coupled to that, or where the maps are the readout.
 [[nodiscard]] double lateral_tolerance(const MethodSettings& settings, double diagonal);
 
 }  // namespace moldlight

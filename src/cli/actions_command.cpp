@@ -76,7 +76,7 @@ void add_actions_command(CLI::App& program, Request& request) {
   const auto flags = std::make_shared<ActionsFlags>();
   add_study_flags(*command, *flags, request);
   add_option_flags(*command, action_options(), flags->settings);
-  add_method_flags(*command, flags->query.method);
+  add_option_flags(*command, method_options(), flags->query.method);
   add_file_flag(*command, flags->csv, {"--csv", "FILE.csv", "Write a table of the undercuts"});
   add_file_flag(*command, flags->mesh,
                 {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",

@@ -112,7 +112,7 @@ void add_classify_command(CLI::App& program, Request& request) {
       "classify", "Find the surface that each mold half forms along a parting direction, and the undercuts");
   const auto flags = std::make_shared<ClassifyFlags>();
   add_study_flags(*command, *flags, request);
-  add_method_flags(*command, flags->query.method);
+  add_option_flags(*command, method_options(), flags->query.method);
   OutputPaths& files = flags->files;
   add_file_flag(*command, files.facets,
                 {"--facets", "FILE.csv", "Write a table of facets with the area and share of each region"});

@@ -116,7 +116,7 @@ void add_compare_command(CLI::App& program, Request& request) {
       {"--image", "FILE.png", "Write a picture of both parts side by side with the differences lit"});
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
   add_still_flags(*command, flags->still, image);
-  add_method_flags(*command, flags->method);
+  add_option_flags(*command, method_options(), flags->method);
   set_work(*command, request, flags, run);
 }
 

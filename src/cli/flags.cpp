@@ -100,11 +100,6 @@ Json query_json(const Query& query, bool best_direction) {
   return json;
 }
 
-void add_method_flags(CLI::App& command, MethodSettings& settings) {
-  add_option_flags(command, method_options(), settings);
-  command.get_option("--kernel")->excludes(command.get_option("--tolerance"));
-}
-
 void add_still_flags(CLI::App& command, StillSettings& settings, CLI::Option* picture) {
   for (const Option<StillSettings>& option : still_options())
     add_option_flag(command, option, settings)->needs(picture);

@@ -145,8 +145,4 @@ CLI::Option* add_direction_flag(CLI::App& command, const DirectionFlag& flag, st
 /// Direction and method as Request::settings gives them.
 [[nodiscard]] Json query_json(const Query& query, bool best_direction);
 
-/// The flags of method_options(). Kernel width and lateral tolerance replace each other: giving both is
-/// refused.
-void add_method_flags(CLI::App& command, MethodSettings& settings);
-
 }  // namespace moldlight::cli

@@ -94,7 +94,7 @@ void add_mold_command(CLI::App& program, Request& request) {
   for (const std::string_view key : {"view", "theme"})
     add_option_flag(*command, option_named(still_options(), key), flags->still)->needs(image);
   add_option_flag(*command, option_named(look_options(), "palette"), flags->still.look);
-  add_method_flags(*command, flags->query.method);
+  add_option_flags(*command, method_options(), flags->query.method);
   set_work(*command, request, flags, run, settings);
 }
 

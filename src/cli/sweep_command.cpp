@@ -254,7 +254,7 @@ void add_sweep_command(CLI::App& program, Request& request) {
       ->needs(pictures);
   add_still_flags(*command, flags->still, pictures);
   add_baseline_flags(*command, flags->baseline, "sweep");
-  add_method_flags(*command, sweep.method);
+  add_option_flags(*command, method_options(), sweep.method);
   set_work(*command, request, flags, run, settings);
 }
 

@@ -127,7 +127,7 @@ void add_view_command(CLI::App& program, Request& request) {
                     {"--compare", "FILE", "Show another revision of the part beside it and compare them"});
   add_option_flags(*command, reading_options(), flags->reading);
   add_direction_flag(*command, {flags->notes.settings.direction, flags->best_direction}, "default 0,0,1");
-  add_method_flags(*command, flags->notes.settings.method);
+  add_option_flags(*command, method_options(), flags->notes.settings.method);
   add_option_flags(*command, look_options(), flags->notes.settings.look);
   CompareSettings& revision = flags->notes.settings.revision;
   for (const Option<CompareSettings>& option : compare_options())

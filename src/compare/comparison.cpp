@@ -199,7 +199,8 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
   tolerance.rounding = std::min(tolerance.rounding, 0.1 * tolerance.apart);
   MethodSettings method = query.method;
   // One lateral tolerance for both, or near-vertical surface would change with the box.
-  if (method.tolerance == 0.0 && method.kernel == 0) method.tolerance = lateral_tolerance(method, diagonal);
+  method.tolerance = lateral_tolerance(method, diagonal);
+  method.couple_kernel = false;
   comparison.a.result = classify_exact(*a, {query.a, method}, progress, true);
   if (query.a == query.b && are_equal(*a, *comparison.b.model)) {
     comparison.b.result = comparison.a.result;

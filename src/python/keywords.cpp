@@ -67,13 +67,6 @@ bool is_flag_letter(char c) {
 
 }  // namespace
 
-void Given::take(MethodSettings& method) {
-  const auto given = [this](const char* key) { return keywords_.contains(key) && !keywords_[key].is_none(); };
-  if (given("kernel") && given("tolerance"))
-    throw UsageError("kernel, tolerance: they replace each other; give one");
-  take(method_options(), method);
-}
-
 py::object Given::take(std::string_view key) {
   taken_.emplace_back(key);
   const py::str name(key.data(), key.size());

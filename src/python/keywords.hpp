@@ -122,8 +122,6 @@ class Given {
     if (value.is_none()) return;
     set_option(option, settings, value);
   }
-  /// The options of the method; kernel width and lateral tolerance replace each other.
-  void take(MethodSettings& method);
   /// The argument of this name, once; None where it is not given.
   [[nodiscard]] pybind11::object take(std::string_view key);
   [[nodiscard]] bool take_switch(std::string_view key);

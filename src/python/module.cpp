@@ -146,7 +146,7 @@ Study study_of(const StudyCall& call, const std::function<void(Given&, Questions
   if (!best) questions.query.direction = direction_of(call.direction, "direction");
   Given given(call.name, call.keywords);
   take(given, questions);
-  given.take(method);
+  given.take(method_options(), method);
   const py::object progress_given = given.take("progress");
   given.end();
   validate(method, model->frame.diagonal);

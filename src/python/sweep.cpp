@@ -30,7 +30,7 @@ SweepSettings sweep_settings(Given& given) {
   given.take(sweep_options(), settings);
   const ActionSettings usual = settings.action_settings;
   given.take(action_options(), settings.action_settings);
-  given.take(settings.method);
+  given.take(method_options(), settings.method);
   if (settings.kinds.empty() && settings.user_directions.empty())
     throw UsageError("candidates: none; give user_directions");
   if (!(settings.action_settings == usual) && !seeks_actions(settings))

@@ -42,10 +42,13 @@ ScoringPool& ScoringPools::rays() {
   return *rays_;
 }
 
+double ScoringPools::lateral_share() const {
+  return lateral_tolerance(settings_.method, model_->frame.diagonal) / model_->frame.diagonal;
+}
+
 std::unique_ptr<DirectionScorer> ScoringPools::make_ray_scorer() const {
   const RayScorerPart part{model_->rays(), model_->geometry, samples_};
-  return std::make_unique<RayScorer>(part, settings_.method.tau_deg,
-                                     map_settings(settings_.method, model_->frame.diagonal).lateral);
+  return std::make_unique<RayScorer>(part, settings_.method.tau_deg, lateral_share());
 }
 
 std::unique_ptr<ScoringPool> ScoringPools::make_gl_pool() const {
@@ -61,6 +64,7 @@ std::unique_ptr<ScoringPool> ScoringPools::make_gl_pool() const {
                                .tau_deg = method.tau_deg,
                                .map = map_settings(method, model_->frame.diagonal),
                                .map_bytes = k_map_bytes / static_cast<std::size_t>(threads)};
+  settings.map.lateral = lateral_share();
   settings.map.resolution = settings_.scoring_resolution;
   settings.map.symmetric_kernel = false;
   const BatchScorerPart part{model_, samples_};

@@ -27,6 +27,8 @@ class ScoringPools {
   [[nodiscard]] std::unique_ptr<DirectionScorer> make_ray_scorer() const;
 
  private:
+  /// The lateral tolerance by the part's diagonal.
+  [[nodiscard]] double lateral_share() const;
   [[nodiscard]] std::unique_ptr<ScoringPool> make_gl_pool() const;
 
   std::shared_ptr<const PartModel> model_;

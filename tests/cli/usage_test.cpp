@@ -57,7 +57,6 @@ TEST(Usage, CommandLinesThatMakeNoSenseEndWithTwo) {
   expect_failure(part.classify({"--unit", "parsec"}), 2, {"--unit: 'parsec' is unknown"});
   expect_failure(part.classify({"--colour", "red"}), 2, {"--colour"});
   expect_failure(part.classify({"--quiet", "--verbose"}), 2, {"--quiet"});
-  expect_failure(part.classify({"--kernel", "3", "--tolerance", "0.1"}), 2, {"--kernel", "--tolerance"});
   expect_failure(part.classify({"--readout", "facet-id", "--kernel-shape", "symmetric"}), 2, {"--readout"});
 }
 

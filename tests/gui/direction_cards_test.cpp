@@ -1,9 +1,8 @@
 // Cards of the directions that the ranking recommends: what they say and where they lead.
-#include "gui/panels/panels.hpp"
-
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "gui/panels/panels.hpp"
 #include "gui/quick_options.hpp"
 #include "gui/window_with_part.hpp"
 #include "io/mesh_writer.hpp"

@@ -135,7 +135,6 @@ TEST_F(MapsAreCompared, WhileASliderOfTheMapsIsHeld) {
   for (const auto& [control, share] :
        std::vector<std::pair<std::string, float>>{{"Edge thickness", 1.0F}, {"Kernel", 0.9F}}) {
     hold(control, share);
-    // The kernel's width is that of the exact regions too: their samples come while it is still held.
     window.wait_until_measured();
     EXPECT_NE(text(), before) << control;
     EXPECT_EQ(text(), expected(20'000)) << control;

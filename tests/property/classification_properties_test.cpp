@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "classify/classifier.hpp"
 #include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mesh_edits.hpp"
@@ -174,11 +175,18 @@ TEST(ClassificationProperties, TheToleranceIsALengthWhateverTheMaps) {
   }
   query.method.resolution = 512;
   query.method.kernel = 5;
-  EXPECT_DOUBLE_EQ(lateral_tolerance(query.method, 100.0), 2.0 * 100.0 / 512.0);
-  query.method.kernel = 1;
-  EXPECT_EQ(lateral_tolerance(query.method, 100.0), 0.0);
+  EXPECT_DOUBLE_EQ(lateral_tolerance(query.method, 100.0), 100.0 / 2048.0) << "the kernel is the maps' own";
+  EXPECT_DOUBLE_EQ(map_settings(query.method, 100.0).lateral, 2.0 / 512.0);
   query.method.tolerance = 0.25;
   EXPECT_EQ(lateral_tolerance(query.method, 100.0), 0.25);
+  EXPECT_DOUBLE_EQ(map_settings(query.method, 100.0).lateral, 2.0 / 512.0);
+  query.method.couple_kernel = true;
+  EXPECT_DOUBLE_EQ(lateral_tolerance(query.method, 100.0), 2.0 * 100.0 / 512.0) << "unless it is coupled";
+  query.method.kernel = 1;
+  EXPECT_EQ(lateral_tolerance(query.method, 100.0), 0.0);
+  query.method.couple_kernel = false;
+  query.method.readout = Readout::samples;
+  EXPECT_EQ(lateral_tolerance(query.method, 100.0), 0.0) << "where the maps are the answer, it is theirs";
 }
 
 TEST(ClassificationProperties, TheSameInputGivesTheSameBits) {

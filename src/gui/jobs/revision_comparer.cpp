@@ -59,6 +59,7 @@ RevisionComparer::Compared RevisionComparer::compare(const Comparing& wanted, co
   require_within_part("Same within", wanted.settings.same_within, a->frame.diagonal);
   ComparedQuery query{asked.direction, asked.direction, asked.method};
   query.method.tolerance = lateral_tolerance(asked.method, a->frame.diagonal);
+  query.method.couple_kernel = false;
   if (wanted.settings.each_best) {
     if (!best || best->b != b || best->method != query.method)
       best = Best{b, query.method, best_direction(b, query.method, progress).direction};

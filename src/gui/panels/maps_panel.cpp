@@ -85,7 +85,10 @@ void draw_maps_drawer(const PanelContext& context, const MapTextures& textures) 
   if (header.button({"fold maps", open ? Icon::chevron_down : Icon::chevron_up,
                      open ? "Close" : "Direction, tolerance, kernel and resolution of the shadow maps"}))
     context.layout.fold_bottom(k_name, open);
-  header.end(open ? "Kernel and resolution set the lateral tolerance, too, unless it is given." : "",
+  const bool coupled = context.state.settings.method.couple_kernel;
+  header.end(!open     ? ""
+             : coupled ? "The lateral tolerance of the exact regions follows the kernel."
+                       : "Kernel, edges and resolution change the maps alone, not the exact regions.",
              ui.colours->muted);
   const int columns = std::max(1, static_cast<int>(room_left() / ui.px(k_column)));
   if (open && ImGui::BeginTable("maps", columns,
@@ -101,6 +104,7 @@ void draw_maps_drawer(const PanelContext& context, const MapTextures& textures) 
     for (const std::string_view key : k_map_options) touched = row(key) || touched;
     // What a control of the maps does is to be seen.
     if (touched) look.regions_by = RegionsBy::maps;
+    row("couple_kernel");
     // What the step's panel shows stands there alone.
     if (context.state.step != Step::part) row("tau_deg");
     ImGui::TableNextColumn();
