@@ -22,14 +22,6 @@ constexpr double k_steep_deg = 5.0;
 /// A software GL draws from the processor's cache, which the maps of a large batch would not fit in.
 constexpr std::size_t k_software_map_bytes = 8U << 20;
 
-/// Makes a context current on this thread as long as it lives.
-struct Current {
-  explicit Current(gl::Context& own) : context(own) { context.make_current(); }
-  ~Current() { context.release_current(); }
-
-  gl::Context& context;
-};
-
 }  // namespace
 
 BatchScorer::BatchScorer(BatchScorerPart part, const BatchScorerSettings& settings)
@@ -40,12 +32,11 @@ BatchScorer::BatchScorer(BatchScorerPart part, const BatchScorerSettings& settin
   batch_size_ = static_cast<std::size_t>(fitting_places(settings.map, model.part.mesh.facets.size(), bytes));
   gl_.emplace(OnGl{part_buffers(*context_, model), {}, {}});
   classes_.resize(model.part.mesh.facets.size());
-  context_->release_current();
 }
 
 BatchScorer::~BatchScorer() {
-  const Current current(*context_);
   gl_.reset();
+  context_->release_current();
 }
 
 void BatchScorer::make_room(std::size_t directions) {
@@ -92,7 +83,6 @@ SampleCounts BatchScorer::ask_rays(const glm::dvec3& direction) {
 std::vector<DirectionScore> BatchScorer::score(std::span<const ScoringTask> tasks) {
   if (tasks.empty()) return {};
   CHECK(tasks.size() <= batch_size_);
-  const Current current(*context_);
   make_room(tasks.size());
   std::vector<SampleCounts> steep;
   for (const ScoringTask& task : tasks)

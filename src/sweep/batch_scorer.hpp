@@ -29,8 +29,8 @@ struct BatchScorerSettings {
   std::size_t map_bytes = 512U << 20;  // for the maps of a batch; one direction's may take more
 };
 
-/// Owns a context of its own, which is current while it scores, on whichever thread. No verdict of a sample
-/// comes back, so no ray settles one: of what the maps leave in doubt a share is part of the error. Steep and
+/// Owns a context of its own, current on the thread that made the scorer. No verdict of a sample comes back,
+/// so no ray settles one: of what the maps leave in doubt a share is part of the error. Steep and
 /// near-vertical facets, of which maps say least, are known beforehand. Nothing is given up early.
 class BatchScorer : public DirectionScorer {
  public:
