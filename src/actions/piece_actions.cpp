@@ -1,7 +1,10 @@
 #include "actions/piece_actions.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -60,10 +63,39 @@ class PieceActions {
     };
     const std::int32_t nearest = of_atom_[nearest_atom(undercut_parts, model_.frame.to_unit(middle))];
     // Facets without area have no normal.
-    if (nearest < 0 || normal == glm::dvec3(0.0) || frees(nearest)) return nearest;
+    if (nearest < 0 || normal == glm::dvec3(0.0)) return nearest;
+    if (const auto slide = of_opposite_slides(piece, normal, nearest, undercut_parts, frees)) return *slide;
+    if (frees(nearest)) return nearest;
     const auto other =
         std::ranges::find_if(undercut_parts, [&](std::size_t k) { return frees(of_atom_[k]); });
     return other != undercut_parts.end() ? of_atom_[*other] : nearest;
+  }
+
+  /// Of two opposite slides that both free a piece, as near where they meet, the one that it opens towards.
+  /// An upright piece that reaches ahead of the part's middle is the first one's: so both halves of a flat
+  /// face across the middle are, and the slides' bodies do not overlap there.
+  [[nodiscard]] std::optional<std::int32_t> of_opposite_slides(
+      std::uint32_t piece, const glm::dvec3& normal, std::int32_t nearest,
+      const std::vector<std::size_t>& undercut_parts, const std::function<bool(std::int32_t)>& frees) const {
+    constexpr double k_opposite = -0.999, k_ahead = 1e-6;
+    const SideAction& its = actions_[static_cast<std::size_t>(nearest)];
+    if (!is_slide(its.kind)) return std::nullopt;
+    const auto found = std::ranges::find_if(undercut_parts, [&](std::size_t k) {
+      if (of_atom_[k] < 0) return false;
+      const SideAction& action = actions_[static_cast<std::size_t>(of_atom_[k])];
+      return is_slide(action.kind) && glm::dot(action.direction, its.direction) < k_opposite &&
+             frees(of_atom_[k]);
+    });
+    if (found == undercut_parts.end() || !frees(nearest)) return std::nullopt;
+    const std::int32_t first = std::min(nearest, of_atom_[*found]),
+                       second = std::max(nearest, of_atom_[*found]);
+    const glm::dvec3& way = actions_[static_cast<std::size_t>(first)].direction;
+    const double draft = glm::dot(normal, way);
+    if (std::abs(draft) > k_upright) return draft > 0.0 ? first : second;
+    const auto reaches_ahead = [&](VertexIndex corner) {
+      return glm::dot(split_.vertices[corner] - model_.frame.center, way) > k_ahead * model_.frame.diagonal;
+    };
+    return std::ranges::any_of(split_.pieces[piece].corners, reaches_ahead) ? first : second;
   }
 
   [[nodiscard]] bool is_freed(const UndercutSample& sample, const SideAction& action) const {

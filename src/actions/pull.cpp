@@ -372,8 +372,11 @@ std::vector<FreedPart> PullFinder::opposite_slides(std::span<const UndercutSampl
         free[k] =
             release_.free_length(sample, k == 0 ? candidate.direction : -candidate.direction) == k_never;
       if (!free[0] && !free[1] && (blocked += sample.area) > k_blocked_share * whole) break;
-      // What both free goes with the one that has the shorter way.
-      const bool ahead = glm::dot(glm::dvec3(sample.position), candidate.direction) > 0.0;
+      // What both free goes with the one that it opens towards, upright walls with the shorter way.
+      const double draft = glm::dot(sample.normal, candidate.direction);
+      const bool ahead = std::abs(draft) > k_upright
+                             ? draft > 0.0
+                             : glm::dot(glm::dvec3(sample.position), candidate.direction) > 0.0;
       parts[free[0] && (ahead || !free[1]) ? 0 : 1].samples.push_back(sample);
     }
     if (blocked > k_blocked_share * whole ||

@@ -12,6 +12,9 @@
 
 namespace moldlight {
 
+/// Sine of the draft below which a wall opens towards neither of two opposite slides.
+inline constexpr double k_upright = 1e-3;
+
 /// A direction that releases an undercut, or what one of its samples stands for.
 struct Pull {
   ActionKind kind = ActionKind::slide;
