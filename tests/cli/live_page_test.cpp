@@ -169,7 +169,7 @@ void LivePage::a_click_shows_the_undercut_and_what_blocks_it() {
 void LivePage::ball_arrow_field_and_keys_turn_the_direction() {
   const Json found = this->found(
       "const at = () => view.direction.map((value) => Number(value.toFixed(3)));"
-      "document.querySelector('[data-direction=\"1,0,0\"]').click(); found.button = at();"
+      "document.querySelector('button[data-direction=\"1,0,0\"]').click(); found.button = at();"
       "const field = document.getElementById('direction'); field.value = '0 3 4';"
       "field.dispatchEvent(new Event('change')); found.field = at();"
       "field.value = 'up'; field.dispatchEvent(new Event('change')); found.refused = at();"

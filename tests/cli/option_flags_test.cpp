@@ -72,7 +72,11 @@ TEST(OptionTable, EveryOptionHasItsFlag) {
     const auto add = [&](const std::string& flag, const std::string& value) {
       arguments.insert(arguments.end(), {flag, value});
     };
-    add(std::string(option.flag), other_value(option));
+    if (std::holds_alternative<SwitchKind<S>>(option.kind)) {
+      arguments.emplace_back(option.flag);
+    } else {
+      add(std::string(option.flag), other_value(option));
+    }
     set_option(option, expected, other_value(option));
     if (option.key != "samples") add("--samples", "1000");
     if (option.key != "resolution") add("--resolution", "128");
