@@ -42,6 +42,8 @@ constexpr double k_speck_thickness = 0.5 / 2048.0;
 constexpr unsigned k_upper = Sheets::bit(Sheet::upper), k_lower = Sheets::bit(Sheet::lower),
                    k_hidden = Sheets::bit(Sheet::hidden), k_parting = Sheets::bit(Sheet::parting),
                    k_beside = Sheets::bit(Sheet::beside);
+/// What bounds the inserts.
+constexpr BodySheets k_fill{.sheets = k_hidden | k_beside, .turned = k_hidden};
 
 /// Upright walls lower than this share of the diagonal are no contact, and less than this share of what was
 /// given by hand is not missed.
@@ -168,6 +170,7 @@ class Trial {
     sheets_.keep_volume(
         centred_volume(asked_.mesh, asked_.model.frame.center) / (diagonal * diagonal * diagonal),
         k_most_restored);
+    if (auto fault = overlap()) return fault;
     const double margin = block_margin(asked_.settings, diagonal) / diagonal;
     const Bounds box = box_of(sheets_);
     const std::vector<LinePiece> line = line_pieces(asked_.place.line, frame_);
@@ -195,6 +198,30 @@ class Trial {
     halves_.land = wish.shape.land * diagonal;
     report_surface(surface.forced);
     return std::nullopt;
+  }
+
+  /// Bodies of the part that overlap, which no surface between the halves changes.
+  std::optional<MoldFault> overlap() {
+    Facets fill;
+    if (close_upright(sheets_, k_fill, fill)) return std::nullopt;
+    for (const Facets& facets : components(sheets_.vertices.size(), fill)) {
+      if (auto fault = twice_there(insert_of(facets))) return fault;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] MoldBody insert_of(const Facets& facets) const {
+    return scaled_body(sheets_.vertices, facets, frame_.diagonal * halves_.scale);
+  }
+  [[nodiscard]] bool is_speck(const MoldBody& body) const {
+    const double thickness = k_speck_thickness * frame_.diagonal * halves_.scale;
+    return 2.0 * std::abs(body.volume) <= thickness * facet_geometry(body.mesh).total_area;
+  }
+  /// Material that is there twice would be an insert inside out.
+  [[nodiscard]] std::optional<MoldFault> twice_there(const MoldBody& body) const {
+    if (body.volume >= 0.0 || is_speck(body)) return std::nullopt;
+    return MoldFault{"bodies of the part overlap", k_mend_surface,
+                     bounds(body.mesh).center() / (frame_.diagonal * halves_.scale)};
   }
 
   void report_surface(const ForcedSlope& forced) {
@@ -251,7 +278,7 @@ class Trial {
               BodySheets{k_upper | k_parting, k_upper | k_parting, halves_.block_low, halves_.block_high},
               &core},
           {BodySheets{k_lower | k_parting, k_lower, halves_.block_low, halves_.block_high}, &cavity},
-          {BodySheets{.sheets = k_hidden | k_beside, .turned = k_hidden}, &fill_}}) {
+          {k_fill, &fill_}}) {
       if (const auto at = close_upright(sheets_, body, *bounded))
         return MoldFault{
             bounded == &fill_ ? "the walls of an insert do not close" : "the walls of a half do not close",
@@ -298,19 +325,15 @@ class Trial {
   }
 
   std::optional<MoldFault> make_inserts() {
-    const double scale = frame_.diagonal * halves_.scale;
     for (const Facets& facets : components(sheets_.vertices.size(), fill_)) {
-      MoldBody body = scaled_body(sheets_.vertices, facets, scale);
+      MoldBody body = insert_of(facets);
       body.blanks = blanks_in(facets);
       halves_.insert_volume += body.volume;
-      const double area = facet_geometry(body.mesh).total_area;
-      if (2.0 * std::abs(body.volume) <= k_speck_thickness * scale * area) {
+      if (is_speck(body)) {
         halves_.specks_volume += body.volume;
         continue;
       }
-      // Material that is there twice would be an insert inside out.
-      if (body.volume < 0.0)
-        return MoldFault{"bodies of the part overlap", k_mend_surface, bounds(body.mesh).center() / scale};
+      if (auto fault = twice_there(body)) return fault;
       halves_.inserts.push_back(std::move(body));
     }
     std::ranges::stable_sort(halves_.inserts, [](const MoldBody& p, const MoldBody& q) {
