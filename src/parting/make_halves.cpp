@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -10,7 +9,6 @@
 
 #include "mesh/facet_geometry.hpp"
 #include "mesh/health.hpp"
-#include "mesh/union_find.hpp"
 #include "mold/exact/exact_regions.hpp"
 #include "parting/halves/depth_columns.hpp"
 #include "parting/halves/parting_surface.hpp"
@@ -60,20 +58,6 @@ MoldBody scaled_body(const std::vector<glm::dvec3>& vertices, const Facets& face
                 .open_edges = check.open_edges};
   for (glm::dvec3& vertex : body.mesh.vertices) vertex *= scale;
   return body;
-}
-
-/// The bodies that hang together.
-std::vector<Facets> components(std::size_t vertices, const Facets& facets) {
-  UnionFind joined(vertices);
-  for (const auto& facet : facets) {
-    joined.join(facet[0], facet[1]);
-    joined.join(facet[1], facet[2]);
-  }
-  std::map<std::uint32_t, Facets> found;
-  for (const auto& facet : facets) found[joined.find(facet[0])].push_back(facet);
-  std::vector<Facets> list;
-  for (auto& [root, body] : found) list.push_back(std::move(body));
-  return list;
 }
 
 double centred_volume(const TriangleMesh& mesh, const glm::dvec3& centre) {
@@ -204,7 +188,7 @@ class Trial {
   std::optional<MoldFault> overlap() {
     Facets fill;
     if (close_upright(sheets_, k_fill, fill)) return std::nullopt;
-    for (const Facets& facets : components(sheets_.vertices.size(), fill)) {
+    for (const Facets& facets : connected_bodies(sheets_.vertices.size(), fill)) {
       if (auto fault = twice_there(insert_of(facets))) return fault;
     }
     return std::nullopt;
@@ -325,7 +309,7 @@ class Trial {
   }
 
   std::optional<MoldFault> make_inserts() {
-    for (const Facets& facets : components(sheets_.vertices.size(), fill_)) {
+    for (const Facets& facets : connected_bodies(sheets_.vertices.size(), fill_)) {
       MoldBody body = insert_of(facets);
       body.blanks = blanks_in(facets);
       halves_.insert_volume += body.volume;

@@ -288,6 +288,20 @@ TriangleMesh body_mesh(const std::vector<glm::dvec3>& vertices, const Facets& fa
   return mesh;
 }
 
+std::vector<std::vector<std::array<SheetVertex, 3>>> connected_bodies(
+    std::size_t vertices, const std::vector<std::array<SheetVertex, 3>>& facets) {
+  UnionFind joined(vertices);
+  for (const auto& [a, b, c] : facets) {
+    joined.join(a, b);
+    joined.join(b, c);
+  }
+  std::map<std::uint32_t, std::vector<std::array<SheetVertex, 3>>> found;
+  for (const auto& facet : facets) found[joined.find(facet[0])].push_back(facet);
+  std::vector<std::vector<std::array<SheetVertex, 3>>> bodies;
+  for (auto& [root, body] : found) bodies.push_back(std::move(body));
+  return bodies;
+}
+
 std::vector<ContactWall> contact_walls(const Sheets& sheets, double tolerance) {
   const auto upper = Sheets::bit(Sheet::upper), lower = Sheets::bit(Sheet::lower),
              parting = Sheets::bit(Sheet::parting);

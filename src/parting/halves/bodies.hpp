@@ -46,6 +46,10 @@ struct BodyCheck {
 [[nodiscard]] TriangleMesh body_mesh(const std::vector<glm::dvec3>& vertices,
                                      const std::vector<std::array<SheetVertex, 3>>& facets);
 
+/// The facets of each body of them, which shares no vertex with the others. `vertices`: how many there are.
+[[nodiscard]] std::vector<std::vector<std::array<SheetVertex, 3>>> connected_bodies(
+    std::size_t vertices, const std::vector<std::array<SheetVertex, 3>>& facets);
+
 /// Where the halves touch on upright surface, and how much.
 struct ContactWall {
   glm::dvec3 place{0.0};

@@ -163,6 +163,23 @@ TEST(MoldHalvesRefused, OfBodiesThatOverlap) {
   expect_refused(halves, "overlap", glm::dvec3(1.5), 1e-6);
 }
 
+TEST(MoldHalvesRefused, OfBodiesThatOverlapBeforeAnyHalfIsMade) {
+  const auto model =
+      model_of(test::joined(test::box_mesh({0, 0, 0}, {2, 2, 2}), test::box_mesh({1, 1, 1}, {3, 3, 3})));
+  const auto farthest = [](const PartModel& part) {
+    double most = 0.0;
+    const Progress progress([&](std::string_view stage, double fraction) {
+      if (stage == k_halves_stage) most = std::max(most, fraction);
+    });
+    static_cast<void>(make_halves(part, {0, 0, 1}, {1.0}, {}, progress));
+    return most;
+  };
+  const double refused = farthest(*model), made = farthest(*model_of(test::box_mesh({0, 0, 0}, {2, 2, 2})));
+  EXPECT_GT(refused, 0.0);
+  EXPECT_LT(refused, 0.5);
+  EXPECT_GE(made, 0.5);
+}
+
 TEST(MoldHalvesRefused, OfAPartThatIsAllButEdgeOn) {
   const MoldHalves halves = halves_of(model_of(test::box_mesh({0, 0, 0}, {1e-11, 1, 1})), {0, 0, 1}, 0.5);
   EXPECT_FALSE(halves.made());
