@@ -56,7 +56,7 @@ std::span<const Option<ReadOptions>> reading_options() {
        TextKind<S>{"UNIT",
                    [](const S& s) { return s.unit; },
                    [](S& s, std::string_view text) { s.unit = text; },
-                   {"mm", "cm", "m", "in"}}},
+                   {"mm", "cm", "m", "in", "um", "dm", "ft"}}},
       {"body", "--body", "Body", "",
        "Take only this body of the file, by its name or by its number in the list of moldlight info.",
        TextKind<S>{"N|NAME|all", [](const S& s) { return s.body; },

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "base/shown_text.hpp"
+#include "base/similar_word.hpp"
 
 namespace moldlight {
 
@@ -113,8 +114,8 @@ std::vector<glm::dvec3> parse_directions(const GivenText& given) {
 int parse_word(const GivenText& given, const Words& words) {
   const auto word = std::find(words.begin(), words.end(), given.text);
   if (word != words.end()) return static_cast<int>(word - words.begin());
-  throw UsageError(
-      fmt::format("{}: '{}' is none of {}", given.what, shown_text(given.text), fmt::join(words, ", ")));
+  throw UsageError(fmt::format("{}: '{}' is not one of {}{}", given.what, shown_text(given.text),
+                               fmt::join(words, ", "), did_you_mean(given.text, words)));
 }
 
 Words parse_words(const GivenText& given, const Words& words) {
@@ -125,8 +126,8 @@ Words parse_words(const GivenText& given, const Words& words) {
     const std::string_view name = given.text.substr(begin, end - begin);
     const auto word = std::find(words.begin(), words.end(), name);
     if (word == words.end()) {
-      throw UsageError(fmt::format("{}: '{}' is unknown; give all, none, or some of {}", given.what,
-                                   shown_text(name), fmt::join(words, ", ")));
+      throw UsageError(fmt::format("{}: '{}' is unknown; give all, none, or some of {}{}", given.what,
+                                   shown_text(name), fmt::join(words, ", "), did_you_mean(name, words)));
     }
     if (std::find(chosen.begin(), chosen.end(), *word) == chosen.end()) chosen.push_back(*word);
   }

@@ -65,6 +65,7 @@ template <typename S>
   if (option.unit == "texel") return "TEXELS";
   if (option.unit == "mm") return "MM";
   if (option.unit == "s") return "SECONDS";
+  if (option.unit == "MB") return "MB";
   if (option.unit == "force per area") return "FORCE/AREA";
   if (option.unit.starts_with('%')) return "PCT";
   if (std::holds_alternative<PositiveKind<S>>(option.kind)) return "LENGTH";

@@ -14,9 +14,11 @@ namespace {
 constexpr std::size_t k_help_width = 104;
 
 /// In the order in which the help has them.
-constexpr std::array<std::string_view, 10> k_groups = {
-    "Part",   "Direction", "Search", "Tolerances and rules", "Side actions",
-    "Result", "Pictures",  "Gates",  "Expert: shadow maps",  "Program"};
+constexpr std::array<std::string_view, 13> k_groups = {
+    "Part",         "Direction", "Search", "Tolerances and rules",
+    "Side actions", "Work",      "Result", "Title block of the report",
+    "Pictures",     "Window",    "Gates",  "Expert: shadow maps",
+    "Program"};
 
 struct FlagGroup {
   std::string_view group;
@@ -28,7 +30,7 @@ const std::vector<FlagGroup>& flag_groups() {
   static const std::vector<FlagGroup> k_rows = {
       {"Part",
        {"unit", "body", "repair", "weld-tolerance", "linear-deflection", "angular-deflection", "max-facets",
-        "align"}},
+        "align", "compare", "parts"}},
       {"Direction", {"direction", "directions-file", "candidates"}},
       {"Search",
        {"directions", "refine", "apart", "thorough", "scoring-samples", "scoring-resolution", "tilt-growth",
@@ -37,11 +39,19 @@ const std::vector<FlagGroup>& flag_groups() {
        {"actions", "slide-angle", "incline", "lifter-angle", "lifter-room", "lifter-section", "clearance",
         "strip-strain", "bundle-across", "bundle-along", "side-direction", "pins", "least-travel",
         "pin-diameter", "prices"}},
-      {"Result",
-       {"json",  "html", "live",   "pdf",   "paper", "facets", "faces", "mesh",   "split-dir", "borders",
-        "draft", "csv",  "bodies", "lines", "out",   "3mf",    "wide",  "sqlite", "merge",     "top"}},
-      {"Pictures", {"image", "image-dir", "size", "view", "theme", "palette"}},
-      {"Gates", {"baseline", "fail-on", "fail-if-undercut", "fail-unless-proved"}},
+      {"Work", {"anew", "shard", "processes", "part-time", "part-memory", "retries", "retry-failed"}},
+      {"Result", {"json",      "html",    "live",  "pdf", "paper",      "facets",  "faces",   "mesh",
+                  "split-dir", "borders", "draft", "csv", "bodies",     "lines",   "out",     "3mf",
+                  "wide",      "sqlite",  "merge", "top", "thumbnails", "reports", "missing", "form"}},
+      {"Title block of the report", {"revision", "material", "company", "author", "note", "date", "logo"}},
+      {"Pictures",
+       {"image", "image-dir", "size", "view", "theme", "palette", "colouring", "open-mold", "transparency",
+        "section", "section-at", "section-turn", "hatching", "feature-edges", "facet-edges", "near-vertical",
+        "parting-line", "arrows", "halves"}},
+      {"Window",
+       {"settings", "screenshot", "script", "scale", "benchmark", "ui-scale", "navigation", "motion",
+        "auto-reload", "quick-sweep"}},
+      {"Gates", {"baseline", "fail-on", "junit", "fail-if-undercut", "fail-unless-proved", "fail-on-error"}},
       {"Expert: shadow maps",
        {"kernel", "kernel-shape", "edge-thickness", "resolution", "readout", "samples", "backend",
         "compare-maps", "regions", "mark-difference", "engine"}},
@@ -54,24 +64,6 @@ std::string group_of(const CLI::Option& option) {
   for (const FlagGroup& row : flag_groups())
     if (std::ranges::count(row.flags, option.get_lnames().front()) > 0) return std::string(row.group);
   return "Tolerances and rules";
-}
-
-/// Letters to change, add, leave out or swap with their neighbour.
-std::size_t letters_apart(std::string_view a, std::string_view b) {
-  std::vector<std::vector<std::size_t>> least(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) {
-    for (std::size_t k = 0; k <= b.size(); ++k) {
-      if (i == 0 || k == 0) {
-        least[i][k] = i + k;
-        continue;
-      }
-      const std::size_t changed = least[i - 1][k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1);
-      least[i][k] = std::min({changed, least[i - 1][k] + 1, least[i][k - 1] + 1});
-      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
-        least[i][k] = std::min(least[i][k], least[i - 2][k - 2] + 1);
-    }
-  }
-  return least[a.size()][b.size()];
 }
 
 void arrange(CLI::App& command, const std::string& name) {
@@ -115,19 +107,6 @@ const std::vector<CommandExample>& command_examples() {
 void arrange_help(CLI::App& program) {
   for (CLI::Option* option : program.get_options()) option->group("Program");
   for (CLI::App* command : program.get_subcommands(nullptr)) arrange(*command, command->get_name());
-}
-
-std::string did_you_mean(std::string_view typed, const std::vector<std::string>& known) {
-  constexpr std::size_t k_most_apart = 2;
-  std::string nearest;
-  std::size_t least = k_most_apart + 1;
-  for (const std::string& word : known) {
-    const std::size_t apart = letters_apart(typed, word);
-    if (apart >= least || 2 * apart >= typed.size()) continue;
-    least = apart;
-    nearest = word;
-  }
-  return nearest.empty() ? "; " : fmt::format("; did you mean {}? ", nearest);
 }
 
 std::vector<std::string> flags_of(const CLI::App& command) {

@@ -1,5 +1,4 @@
-// Help on the command line: in groups, with an example a command, and what a
-// mistyped word may have meant.
+// Help on the command line: in groups, with an example a command.
 #pragma once
 
 #include <string>
@@ -29,10 +28,6 @@ struct CommandExample {
   std::string_view command, what_for, line;
 };
 [[nodiscard]] const std::vector<CommandExample>& command_examples();
-
-/// "; did you mean sweep? ", between an error and its advice: the word that is at most two letters off; "; "
-/// where none is.
-[[nodiscard]] std::string did_you_mean(std::string_view typed, const std::vector<std::string>& known);
 
 /// The command's flags, with their dashes.
 [[nodiscard]] std::vector<std::string> flags_of(const CLI::App& command);

@@ -15,6 +15,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/similar_word.hpp"
 #include "base/threads.hpp"
 #include "cli/flags.hpp"
 #include "cli/help.hpp"
@@ -73,7 +74,7 @@ void insert_default_command(const CLI::App& program, std::vector<std::string>& a
     arguments.back() = "--help";
   }
   if (arguments.front().starts_with('-')) return;
-  std::vector<std::string> commands;
+  std::vector<std::string_view> commands;
   for (const CLI::App* command : program.get_subcommands(nullptr)) {
     if (command->get_name() == arguments.front()) return;
     commands.push_back(command->get_name());
@@ -85,7 +86,7 @@ void insert_default_command(const CLI::App& program, std::vector<std::string>& a
       std::filesystem::exists(file, ignored) || file.has_extension() || file.has_parent_path();
   if (!names_a_file) {
     throw UsageError(arguments.front() + ": no such command or file" +
-                     did_you_mean(arguments.front(), commands) + "moldlight --help lists the commands");
+                     did_you_mean(arguments.front(), commands, "moldlight --help lists the commands"));
   }
   arguments.insert(arguments.begin(), "view");
 }
@@ -118,10 +119,12 @@ int run_program(std::vector<std::string> arguments, Console& console) {
     // A mistyped option is why another one is missing.
     const auto more = program.remaining(true);
     const auto unknown = std::ranges::find_if(more, [](const auto& word) { return word.starts_with('-'); });
-    const std::string what = unknown == more.end()
-                                 ? error.what() + std::string("; ")
-                                 : "there is no option " + *unknown + did_you_mean(*unknown, flags_of(*used));
-    throw UsageError(what + "see moldlight " + command + "--help");
+    const std::string advice = "see moldlight " + command + "--help";
+    if (unknown == more.end()) throw UsageError(error.what() + ("; " + advice));
+    const std::vector<std::string> flags = flags_of(*used);
+    throw UsageError(
+        "there is no option " + *unknown +
+        did_you_mean(*unknown, std::vector<std::string_view>(flags.begin(), flags.end()), advice));
   }
   console.set_verbosity(request.quiet     ? Verbosity::quiet
                         : request.verbose ? Verbosity::verbose

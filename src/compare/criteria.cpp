@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "base/shown_text.hpp"
+#include "base/similar_word.hpp"
 #include "classify/number_format.hpp"
 
 namespace moldlight {
@@ -35,8 +36,8 @@ Criterion parse_criterion(std::string_view text, std::span<const std::string_vie
                     shown(text)));
   Criterion criterion{.text = std::string(text), .name = std::string(trimmed(text.substr(0, at)))};
   if (std::ranges::find(names, criterion.name) == names.end())
-    throw UsageError(fmt::format("{}: there is no figure “{}”; there are {}", k_flag, shown(criterion.name),
-                                 fmt::join(names, ", ")));
+    throw UsageError(fmt::format("{}: there is no figure “{}”; there are {}{}", k_flag, shown(criterion.name),
+                                 fmt::join(names, ", "), did_you_mean(criterion.name, names)));
   std::string_view value = text.substr(at + 1);
   if (value.starts_with('=')) {
     criterion.or_equal = true;

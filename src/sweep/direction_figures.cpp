@@ -10,6 +10,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "base/similar_word.hpp"
 #include "classify/number_format.hpp"
 #include "mold/direction.hpp"
 #include "mold/measure.hpp"
@@ -192,8 +193,9 @@ Objective parse_objective(std::string_view text) {
                                           (!figure.former.empty() && objective_name(figure.former) == name));
         });
     if (found == std::end(k_figures)) {
-      throw UsageError(
-          fmt::format("--objective: '{}' is none of {}", name, fmt::join(objective_names(), ", ")));
+      throw UsageError(fmt::format("--objective: '{}' is not one of {}{}", name,
+                                   fmt::join(objective_names(), ", "),
+                                   did_you_mean(name, objective_names())));
     }
     double weight = 1.0;
     if (colon != std::string_view::npos) {

@@ -58,6 +58,13 @@ TEST(Help, GuessesWhatAMistypedWordMeant) {
   EXPECT_NE(run_moldlight({"clasify", part.file()}).err.find("did you mean classify?"), std::string::npos);
   EXPECT_NE(run_moldlight({"mold", part.file(), "--direcion", "z"}).err.find("did you mean --direction?"),
             std::string::npos);
+  EXPECT_NE(run_moldlight({"sweep", part.file(), "--rank", "Modl"}).err.find("did you mean mold?"),
+            std::string::npos);
+  EXPECT_NE(
+      run_moldlight({"sweep", part.file(), "--objective", "undercuts:1,travle"}).err.find("mean travel?"),
+      std::string::npos);
+  EXPECT_NE(run_moldlight(part.classify({"--fail-on", "udercut > 0"})).err.find("did you mean undercut?"),
+            std::string::npos);
   EXPECT_EQ(run_moldlight({"mold", part.file(), "--upside-down"}).err.find("did you mean"),
             std::string::npos);
 }
