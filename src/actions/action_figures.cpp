@@ -57,7 +57,9 @@ constexpr FigureRow<Undercut> k_undercut_sizes[] = {
 constexpr FigureRow<UndercutReport> k_undercut_figures[] = {
     {"formed_area", {}, Kind::area, [](const UndercutReport& u) -> Found { return u.formed_area; }},
     {"depth", "depth", Kind::length,
-     [](const UndercutReport& u) { return std::isfinite(u.depth) ? Found(u.depth) : std::nullopt; },
+     [](const UndercutReport& u) {
+       return u.depth > 0.0 && std::isfinite(u.depth) ? Found(u.depth) : std::nullopt;
+     },
      "Distance across the parting direction to where the part no longer blocks it."},
 };
 

@@ -33,10 +33,10 @@ ActionPrices prices_of_file(const std::string& path) {
   if (!file) throw FileError(path, "", "cannot be opened; --prices takes a JSON file");
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  if (!json.is_object()) throw FileError(path, "", "is no JSON object; write {\"lifter\": 2}");
+  if (!json.is_object()) throw FileError(path, "", "is not a JSON object; write {\"lifter\": 2}");
   ActionPrices prices = default_prices();
   for (const auto& [name, price] : json.items()) {
-    if (!price.is_number()) throw FileError(path, name, "is no number");
+    if (!price.is_number()) throw FileError(path, name, "is not a number");
     set_price(prices, name, price.get<double>());
   }
   return prices;

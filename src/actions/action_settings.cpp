@@ -6,13 +6,14 @@ std::span<const Option<ActionSettings>> action_options() {
   using S = ActionSettings;
   static const std::vector<Option<S>> k_options = {
       {"slide_angle_deg", "--slide-angle", "Slide angle", "deg",
-       "Largest angle between a slide's way and the plane across the parting direction.",
+       "Largest angle between a slide's travel and the plane across the parting direction.",
        RealKind<S>{&S::slide_angle_deg, 0.0, 45.0, 0.5}},
       {"incline_deg", "--incline", "Incline", "deg",
-       "Largest angle between an inclined slide's way and the plane across the parting direction.",
+       "Largest angle between an inclined slide's travel and the plane across the parting direction.",
        RealKind<S>{&S::incline_deg, 0.0, 80.0, 1.0}},
       {"lifter_angle_deg", "--lifter-angle", "Lifter angle", "deg",
-       "Angle of a lifter to the ejection. Its stroke is its travel divided by the tangent of this angle.",
+       "Angle between a lifter and the ejection. Its stroke is its travel divided by the tangent of this "
+       "angle.",
        RealKind<S>{&S::lifter_angle_deg, 1.0, 45.0, 0.5}},
       {"lifter_room_mm", "--lifter-room", "Lifter room", "mm",
        "Room that a lifter needs beyond its travel, for its thickness and clearance. A lifter with less is "
@@ -44,7 +45,7 @@ std::span<const Option<ActionSettings>> action_options() {
                    .get = [](const S& s) { return prices_text(s.prices); },
                    .set = [](S& s, std::string_view text) { s.prices = parse_prices(text); }}},
       {"pins", "--pins", "Pins", "",
-       "Leave an undercut to one kind of action, or to none: a point on it, its area and the kind.",
+       "Reserve an undercut for one kind of action, or for none: a point on it, its area and the kind.",
        TextKind<S>{.name = "X,Y,Z,AREA,KIND;...",
                    .get = [](const S& s) { return pins_text(s.pins); },
                    .set = [](S& s, std::string_view text) { s.pins = parse_pins(text); }}},

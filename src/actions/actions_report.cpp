@@ -148,7 +148,7 @@ std::string change_text(const ActionsReport& report, std::size_t undercut) {
   if (const auto& window = change.window) {
     const FigureStyle style(model);
     const std::string least = rounded(window->least_thickness), greatest = rounded(window->thickness);
-    ways.push_back(fmt::format("open {} towards {} at {}, through {}{} {}",
+    ways.push_back(fmt::format("open a window of {} towards the {} at {}, through {}{} {} of wall",
                                style.with_unit(FigureKind::area, window->area), side_name(window->core_side),
                                style.point(window->place), least == greatest ? "" : least + " to ", greatest,
                                unit));
@@ -183,7 +183,7 @@ std::string meetings_text(const ActionPlan& plan) {
   }
   if (number == 0) return "";
   const std::string_view who = slides == number ? "slides" : slides == 0 ? "lifters" : "slides and lifters";
-  return fmt::format("The ways of {} cross{}: rows {}{}.", who,
+  return fmt::format("The paths of {} cross{}: rows {}{}.", who,
                      plan.optimal ? ", and no alternative was found" : "", pairs,
                      number > k_most ? fmt::format(" … {} pairs in all", number) : "");
 }
@@ -195,16 +195,16 @@ std::string rejected_text(const PartModel& model, const ActionPlan& plan) {
   const auto why = [&](const RejectedAction& rejected) {
     switch (rejected.reason) {
       case RejectReason::no_room:
-        return fmt::format("travels {0} {2} and has {1} {2} of room beyond that", rounded(rejected.travel),
+        return fmt::format("it travels {0} {2} and has {1} {2} of room beyond that", rounded(rejected.travel),
                            rounded(rejected.room), unit);
       case RejectReason::no_way_out:
-        return fmt::format("travels {} {} and then cannot leave along its half", rounded(rejected.travel),
+        return fmt::format("it travels {} {} and then cannot leave along its half", rounded(rejected.travel),
                            unit);
       case RejectReason::leaves_rest:
-        return fmt::format("leaves {} of it", style.with_unit(FigureKind::area, rejected.left));
+        return fmt::format("it leaves {} unreleased", style.with_unit(FigureKind::area, rejected.left));
       default:
-        return fmt::format("its body stands {} {} deep in {} {}", rounded(rejected.depth), unit,
-                           rejected.reason == RejectReason::hits_part ? "the part" : "another one",
+        return fmt::format("its body reaches {} {} into {} {}", rounded(rejected.depth), unit,
+                           rejected.reason == RejectReason::hits_part ? "the part" : "another action",
                            stage_text(rejected.when));
     }
   };

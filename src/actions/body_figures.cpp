@@ -392,7 +392,7 @@ BodyPlayer::BodyPlayer(const PartModel& model, const Classification& result, con
 BodyPlayer::~BodyPlayer() = default;
 
 void BodyPlayer::measure(ActionPlan& plan, bool fine) {
-  progress_.report("shaping what moves", 0.95);
+  progress_.report("making the bodies of the actions", 0.95);
   const Player player(model_, query_, plan, play_.steps, fine, progress_);
   std::vector<Shape*> shapes;
   for (std::size_t k = 0; k < plan.actions.size(); ++k) shapes.push_back(&known_[key_of(plan, k)]);

@@ -38,7 +38,7 @@ std::string unreleased_text(const ActionPlan& plan, std::size_t undercut) {
   if (pin && !pin->kind) return "left as it is";
   if (plan.undercuts[undercut].closed_void) return "a closed void, which no mold forms";
   return fmt::format("{} releases {}",
-                     pin ? fmt::format("no {}", facts(*pin->kind).singular) : "nothing that was tried",
+                     pin ? fmt::format("no {}", facts(*pin->kind).singular) : "no action tried",
                      action_of(plan, undercut) == nullptr ? "it" : "the rest of it");
 }
 

@@ -228,7 +228,7 @@ std::span<const Option<RunSettings>> run_options() {
        "Write a report for the browser of every part, also of parts that are done.",
        SwitchKind<S>{&S::reports}},
       {"live", "--live", "Live reports", "",
-       "Write reports whose page finds the regions of any direction by itself. Of classify and sweep.",
+       "Write reports that find the regions of any direction by themselves. For classify and sweep only.",
        SwitchKind<S>{&S::live}},
   };
   return k_options;

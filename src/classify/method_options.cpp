@@ -17,7 +17,7 @@ std::span<const Option<MethodSettings>> method_options() {
        "lateral tolerance.",
        IntegerKind<S>{&S::kernel, 1, 9, true, 3}},
       {"couple_kernel", "--couple-kernel", "Lateral tolerance by the kernel", "",
-       "Take the radius of --kernel as the lateral tolerance of the exact regions, too.",
+       "Use the radius of --kernel as the lateral tolerance of the exact regions, too.",
        SwitchKind<S>{&S::couple_kernel}},
       {"tolerance", "--tolerance", "Lateral tolerance", "part's unit",
        "Lateral tolerance (δ): distance beside a near-vertical facet at which it is tested. The default is "
@@ -58,7 +58,7 @@ std::span<const Option<ReadOptions>> reading_options() {
                    [](S& s, std::string_view text) { s.unit = text; },
                    {"mm", "cm", "m", "in", "um", "dm", "ft"}}},
       {"body", "--body", "Body", "",
-       "Take only this body of the file, by its name or by its number in the list of moldlight info.",
+       "Use only this body of the file, by its name or by its number in the list of moldlight info.",
        TextKind<S>{"N|NAME|all", [](const S& s) { return s.body; },
                    [](S& s, std::string_view text) { s.body = text; }}},
       {"repair", "--repair", "Repair", "",

@@ -95,8 +95,9 @@ int write(Manifest& manifest, const BatchWork& work, Console& console, const Pro
       std::ranges::count_if(rows, [](const Row& row) { return row.same_as && row.fault.empty(); }));
   if (source.left_out > 0) {
     console.warning(
-        fmt::format("{} out of the folder: not planned; a list of parts may name what is meant",
-                    source.left_out == 1 ? "1 link leads" : fmt::format("{} links lead", source.left_out)));
+        fmt::format("{} out of the folder and {} not planned; a list of parts may name such parts",
+                    source.left_out == 1 ? "1 link leads" : fmt::format("{} links lead", source.left_out),
+                    source.left_out == 1 ? "was" : "were"));
   }
   if (faulty > 0) {
     const Row& first = *std::ranges::find_if(rows, [](const Row& row) { return !row.fault.empty(); });
@@ -292,8 +293,10 @@ void add_folder(CLI::App& command, std::string& folder) {
 }
 
 void add_shard_flag(CLI::App& command, Shard& shard) {
-  add_text_flag(command, {"--shard", "I/N", "Only every N-th part, from number I on, I from 0 to N - 1"},
-                [&shard](const std::string& text) { shard = parse_shard(text); });
+  add_text_flag(
+      command,
+      {"--shard", "I/N", "One share of the parts: every N-th part from number I on, I from 0 to N - 1"},
+      [&shard](const std::string& text) { shard = parse_shard(text); });
 }
 
 void add_loudness_flags(CLI::App& command, Request& request) {

@@ -143,7 +143,7 @@ void add_classify_command(CLI::App& program, Request& request) {
   add_option_flag(*command, finish_options().front(), flags->finish_settings)->needs(finish);
   add_file_flag(*command, flags->draft,
                 {"--draft", "FILE.csv",
-                 "Write a table of the walls with too little draft: angle and line of the turn, and the "
+                 "Write a table of the walls with too little draft: the turn that each needs, and the "
                  "thickness that it costs"});
   CLI::Option* image = add_study_outputs(
       *command, *flags, request, "Write a picture of the part in the colours of its regions, with a legend");

@@ -111,9 +111,10 @@ void add_compare_command(CLI::App& program, Request& request) {
   add_gate_flags(*command, flags->gate, comparison_figure_names());
   add_option_flags(*command, action_options(), flags->settings.actions);
   add_report_flags(*command, flags->report, request);
-  CLI::Option* image = add_file_flag(
-      *command, flags->image,
-      {"--image", "FILE.png", "Write a picture of both parts side by side with the differences lit"});
+  CLI::Option* image =
+      add_file_flag(*command, flags->image,
+                    {"--image", "FILE.png",
+                     "Write a picture of both parts side by side, with the differences highlighted"});
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
   add_still_flags(*command, flags->still, image);
   add_option_flags(*command, method_options(), flags->method);

@@ -72,19 +72,19 @@ void add_title_flags(CLI::App& command, report::TitleFacts& title) {
     add_text_flag(command, {flag, value, help},
                   [&text](const std::string& given) { text = one_line(given); });
   };
-  add("--revision", "TEXT", "Revision of the part, for the title block of the report", title.revision);
-  add("--material", "TEXT", "Material of the part, for the title block", title.material);
-  add("--company", "TEXT", "Who sends the report, for the title block", title.company);
-  add("--author", "TEXT", "Who made the report, for the title block", title.author);
-  add("--note", "TEXT", "A note for who receives the report", title.note);
+  add("--revision", "TEXT", "Revision of the part, in the report's title block", title.revision);
+  add("--material", "TEXT", "Material of the part, in the report's title block", title.material);
+  add("--company", "TEXT", "Company that sends the report", title.company);
+  add("--author", "TEXT", "Author of the report", title.author);
+  add("--note", "TEXT", "Note to the reader of the report", title.note);
   add_text_flag(
       command, {"--date", "YYYY-MM-DD", "Date of the report [default that of SOURCE_DATE_EPOCH, else none]"},
       [&title](const std::string& given) {
         if (!is_day(given))
-          throw UsageError(fmt::format("--date: '{}' is no day, such as 2026-11-25", one_line(given)));
+          throw UsageError(fmt::format("--date: '{}' is not a date such as 2026-11-25", one_line(given)));
         title.date = given;
       });
-  add_text_flag(command, {"--logo", "FILE.png", "Picture for the title block"},
+  add_text_flag(command, {"--logo", "FILE.png", "Picture of the company's logo"},
                 [&title](const std::string& given) { title.logo = read_png(given); });
 }
 

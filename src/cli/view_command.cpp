@@ -114,7 +114,7 @@ void add_view_command(CLI::App& program, Request& request) {
   add_size_flag(*command, flags->size, "Size of the window's picture", k_least_size);
   command
       ->add_option("--scale", flags->scale,
-                   "Content scale of the picture, as on a high-resolution monitor [0.5 to 4]")
+                   "Content scale of the picture, as on a high-resolution monitor [0.5 to 4; default 1]")
       ->option_text("FACTOR")
       ->check(CLI::Range(0.5F, 4.0F));
   add_file_flag(*command, flags->script,

@@ -83,7 +83,7 @@ constexpr FigureRow<Comparison> k_mold_figures[] = {
      [](const Comparison& c) {
        double most = 0.0;
        if (c.mold)
-         for (const LineStretch& one : c.mold->line.fresh) most = std::max(most, one.farthest);
+         for (const LineStretch& one : c.mold->line.added) most = std::max(most, one.farthest);
        return c.mold ? Found(most) : std::nullopt;
      }},
 };

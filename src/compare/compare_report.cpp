@@ -59,7 +59,7 @@ Json mold_json(const Comparison& comparison) {
           {"steel_to_add", volume_json(mold.to_add)},
           {"parting_line",
            {{"within", mold.line.within},
-            {"new", stretches_json(mold.line.fresh)},
+            {"new", stretches_json(mold.line.added)},
             {"gone", stretches_json(mold.line.gone)}}}};
 }
 

@@ -99,9 +99,9 @@ std::string undercut_text(const Comparison& comparison, const FigureStyle& style
   const std::string was = style.text(FigureKind::area, before), is = style.text(FigureKind::area, after),
                     unit = style.unit(FigureKind::area);
   if (was == is || std::abs(after - before) <= a.uncertainty.total() + b.uncertainty.total())
-    return fmt::format("undercut as before, {} {}", is, unit);
+    return fmt::format("Undercut as before, {} {}", is, unit);
   const std::string change = change_percent(before, after);
-  return fmt::format("undercut {} {} {}, was {}{}{}", after > before ? "grew to" : "shrank to", is, unit, was,
+  return fmt::format("Undercut {} {} {}, was {}{}{}", after > before ? "grew to" : "shrank to", is, unit, was,
                      change.empty() ? "" : ", ", change);
 }
 
@@ -155,14 +155,14 @@ std::span<const Option<CompareSettings>> compare_options() {
       {"align", "--align", "Align", "",
        "Turn and move B onto A before the comparison. Directions refer to A.", SwitchKind<S>{&S::align}},
       {"same_within", "--same-within", "Same within", "part's unit",
-       "Largest distance between surfaces that count as the same. On bent faces, the error of both "
+       "Largest distance between surfaces that count as the same. On curved faces, the error of both "
        "tessellations is added. The default is 1/10,000 of A's diagonal.",
        PositiveKind<S>{[](S& s) -> double& { return s.same_within; }}},
       {"actions", "--actions", "Side actions", "",
        "Compare the undercuts one by one, with their side actions", SwitchKind<S>{&S::with_actions}},
       {"mold", "--mold", "Mold", "",
        "Report whether A's mold survives: steel to cut and to add, and where the parting line moves. "
-       "On where --direction names a direction.",
+       "The default is on if --direction names a direction.",
        SwitchKind<S>{&S::with_mold}},
   };
   return k_options;
@@ -183,7 +183,7 @@ Comparison prepare_comparison(const std::shared_ptr<const PartModel>& a,
   }
   comparison.alignment = align(*a, *comparison.b.model, progress);
   comparison.b.model = moved_part(*comparison.b.model, *comparison.alignment, progress);
-  if (comparison.alignment->mirrored) comparison.remarks.push_back("B is about a mirror image of A");
+  if (comparison.alignment->mirrored) comparison.remarks.push_back("B is close to a mirror image of A");
   return comparison;
 }
 
@@ -259,28 +259,27 @@ std::string mold_change_text(const Comparison& comparison, const MoldChange& mol
         seen_error(place.add->volume), style.unit(FigureKind::volume), style.point(place.add->centre),
         length_unit(comparison.a.model->part), steel_of_text(comparison, *place.add, false)));
   }
-  std::string text = cuts == 0
-                         ? std::string("No place cuts steel")
-                         : fmt::format("{} {} steel", plural(cuts, "place"), cuts == 1 ? "cuts" : "cut");
-  if (added.empty()) {
-    text = cuts == 0 ? "No steel of the mold changes" : text + "; none needs steel";
-  } else {
-    const std::size_t named = std::min(added.size(), k_most_named), count = added.size();
-    text += fmt::format("; {} {} steel: {}", count, count == 1 ? "needs" : "need",
+  const std::size_t named = std::min(added.size(), k_most_named), count = added.size();
+  std::string text = cuts + count == 0 ? "No steel of the mold changes."
+                     : cuts == 0       ? "No steel is cut."
+                                       : fmt::format("Steel is cut at {}.", plural(cuts, "place"));
+  if (count > 0) {
+    text += fmt::format(" Steel is added at {}: {}", plural(count, "place"),
                         fmt::join(added.begin(), added.begin() + static_cast<std::ptrdiff_t>(named), "; "));
-    if (named < count) text += fmt::format("; {} more", count - named);
+    text += named < count ? fmt::format("; {} more.", count - named) : ".";
+  } else if (cuts > 0) {
+    text += " No steel is added.";
   }
-  text += ".";
-  if (!mold.line.fresh.empty()) {
-    const auto& fresh = mold.line.fresh;
-    const auto farthest = std::ranges::max_element(fresh, {}, &LineStretch::farthest);
+  if (!mold.line.added.empty()) {
+    const auto& stretches = mold.line.added;
+    const auto farthest = std::ranges::max_element(stretches, {}, &LineStretch::farthest);
     text +=
-        fmt::format(" The parting line leaves the old one at {}, by {} at most, at ({}) {}.",
-                    plural(fresh.size(), "place"), style.with_unit(FigureKind::length, farthest->farthest),
+        fmt::format(" The parting line moves off the old one at {}, by at most {} at ({}) {}.",
+                    plural(stretches.size(), "place"), style.with_unit(FigureKind::length, farthest->farthest),
                     style.point(farthest->at), length_unit(comparison.a.model->part));
   } else if (!mold.line.gone.empty()) {
-    text += fmt::format(" {} of the old parting line {}.", plural(mold.line.gone.size(), "stretch"),
-                        mold.line.gone.size() == 1 ? "goes" : "go");
+    text += fmt::format(" {} of the old parting line {} no longer used.",
+                        plural(mold.line.gone.size(), "segment"), mold.line.gone.size() == 1 ? "is" : "are");
   }
   return text;
 }
@@ -296,12 +295,12 @@ std::string comparison_verdict(const Comparison& comparison) {
   if (comparison.scale)
     facts.push_back(scale_text(*comparison.scale));
   else if (!surface.places.empty())
-    facts.push_back(fmt::format("{} changed, {} of surface gone and {} new",
+    facts.push_back(fmt::format("{} changed: {} of surface gone, {} new",
                                 plural(surface.places.size(), "place"), area(surface.gone.area),
                                 area(surface.added.area)));
   if (!surface.regions.empty()) {
-    facts.push_back(fmt::format("{} of the same surface {} of another region", area(surface.other_region()),
-                                surface.places.empty() ? "is" : "are"));
+    facts.push_back(
+        fmt::format("{} of unchanged surface is of another region now", area(surface.other_region())));
   }
   facts.push_back(undercut_text(comparison, style));
   const std::string undercuts = changes_text(comparison.undercuts),
@@ -309,11 +308,11 @@ std::string comparison_verdict(const Comparison& comparison) {
   if (!undercuts.empty()) facts.back() += fmt::format(" ({})", undercuts);
   if (comparison.a.plan && comparison.b.plan)
     facts.push_back(actions.empty()
-                        ? fmt::format("side actions as before, {}", actions_text(*comparison.b.plan))
-                        : fmt::format("side actions: {}, were {} ({})", actions_text(*comparison.b.plan),
+                        ? fmt::format("Side actions as before: {}", actions_text(*comparison.b.plan))
+                        : fmt::format("Side actions: {}, were {} ({})", actions_text(*comparison.b.plan),
                                       actions_text(*comparison.a.plan), actions));
   const std::string steel = comparison.mold ? " " + mold_change_text(comparison, *comparison.mold) : "";
-  return fmt::format("{}.{}", fmt::join(facts, "; "), steel);
+  return fmt::format("{}.{}", fmt::join(facts, ". "), steel);
 }
 
 }  // namespace moldlight

@@ -79,7 +79,8 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
                                            bool is_cut);
 /// Of all that have some, "core and slide 1".
 [[nodiscard]] std::string steel_of_text(const Comparison& comparison, const SteelChange& steel, bool is_cut);
-/// Whether the mold of A survives: "3 places cut steel; 1 needs steel: 12.4 mm³ at (1, 2, 3) mm, cavity."
+/// Whether the mold of A survives: "Steel is cut at 3 places. Steel is added at 1 place: 12.4 mm³ at (1, 2,
+/// 3) mm, cavity."
 [[nodiscard]] std::string mold_change_text(const Comparison& comparison, const MoldChange& mold);
 /// What changed, in a sentence or two.
 [[nodiscard]] std::string comparison_verdict(const Comparison& comparison);

@@ -51,7 +51,7 @@ Criterion parse_criterion(std::string_view text, std::span<const std::string_vie
   const bool of_state = criterion.name == k_verdict_figure;
   const auto number = of_state ? verdict_number(value) : number_from<double>(value);
   if (of_state && !number)
-    throw UsageError(fmt::format("{}: “{}” is no verdict; there are {}", k_flag, shown(value),
+    throw UsageError(fmt::format("{}: “{}” is not a verdict; there are {}", k_flag, shown(value),
                                  fmt::join(k_verdict_states, ", ")));
   if (!number || !std::isfinite(*number))
     throw UsageError(

@@ -62,7 +62,7 @@ struct LineStretch {
 
 struct LineChange {
   double within = 0.0;                   // nearer than this it is the same line
-  std::vector<LineStretch> fresh, gone;  // of B's line off A's, and of A's off B's; the longest first
+  std::vector<LineStretch> added, gone;  // of B's line off A's, and of A's off B's; the longest first
 };
 
 /// Of what core and cavity meet in; `within` > 0.

@@ -18,7 +18,7 @@ FreeCADGui.updateLocale()
 
 class MoldlightWorkbench(FreeCADGui.Workbench):
     MenuText = FreeCAD.Qt.translate("Moldlight", "Moldlight")
-    ToolTip = FreeCAD.Qt.translate("Moldlight", "What core, cavity and side actions of a mold form of a body")
+    ToolTip = FreeCAD.Qt.translate("Moldlight", "Mold regions of a body: what core, cavity and side actions form")
 
     def __init__(self):
         from moldlight_workbench import views

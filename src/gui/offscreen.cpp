@@ -43,7 +43,7 @@ void OffscreenWindow::resize(const glm::ivec2& size) {
 ScreenBox OffscreenWindow::control(std::string_view name) const {
   const auto found = app_->controls().find(name);
   if (found == app_->controls().end())
-    throw UsageError(fmt::format("there is no control '{}' to be seen", name));
+    throw UsageError(fmt::format("there is no visible control '{}'", name));
   return found->second;
 }
 

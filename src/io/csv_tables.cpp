@@ -99,7 +99,7 @@ std::vector<glm::dvec3> directions_in(std::string_view text, const std::string& 
     if (!direction) {
       throw FileError(
           path, fmt::format("line {}", scanner.line()),
-          fmt::format("{} is no direction; write three numbers x, y, z, not all zero", in_quotes(line)));
+          fmt::format("{} is not a direction; write three numbers x, y, z, not all zero", in_quotes(line)));
     }
     directions.push_back(*direction);
   }

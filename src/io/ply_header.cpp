@@ -57,7 +57,7 @@ PlyHeader PlyHeaderParser::parse() {
     } else if (keyword.empty()) {
       context_.fail(place(), "the PLY header ends without 'end_header'; export the part again");
     } else if (keyword != "comment" && keyword != "obj_info") {
-      context_.fail(place(), "{} is no statement of a PLY header; export the part again", in_quotes(keyword));
+      context_.fail(place(), "{} is not a line of a PLY header; export the part again", in_quotes(keyword));
     }
     words_.rest_of_line();
   }

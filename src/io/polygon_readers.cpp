@@ -108,7 +108,7 @@ void PolygonTextParser::parse_obj_statement(std::string_view keyword) {
     if (keyword == "surf") ++surfaces_;
     words_.rest_of_line();
   } else {
-    context_.fail(place(), "{} is no statement of an OBJ file; export the part again", in_quotes(keyword));
+    context_.fail(place(), "{} is not a line of an OBJ file; export the part again", in_quotes(keyword));
   }
 }
 

@@ -66,7 +66,7 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
   }
   if (outer == 0) return "No parting line: core and cavity do not meet.";
   const double climb = line.outer_high - line.outer_low;
-  std::string text = "Parting line: ";
+  std::string text = "Parting line: ", more;
   if (climb <= k_planar_share * diagonal) {
     text += "planar at " + height_text(style, assignment.direction,
                                        std::abs(line.outer_low) > 1e-6 * diagonal ? line.outer_low : 0.0);
@@ -75,14 +75,16 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
   } else {
     text += fmt::format("stepped, {} high", length(climb));
     if (up_and_down > k_many_climbs * climb) {
-      text += fmt::format(", {} of climb and descent in all", length(up_and_down));
+      more = fmt::format(" It climbs and descends {} in all", length(up_and_down));
       if (draft <= k_small_draft_deg)
-        text += fmt::format(" on facets of at most {:.1f}° of draft", std::ceil(10.0 * draft) / 10.0);
+        more += fmt::format(", on facets with at most {:.1f}° of draft", std::ceil(10.0 * draft) / 10.0);
+      more += ".";
     }
   }
   text += steepest <= k_steep_deg
               ? fmt::format(", no step steeper than {:.0f}°.", k_steep_deg)
-              : fmt::format(", {} of steps as steep as {:.0f}°.", length(steep), std::floor(steepest));
+              : fmt::format(", {} of steps of up to {:.0f}°.", length(steep), std::floor(steepest));
+  text += more;
   text += shut_offs == 0 ? " No shut-offs." : fmt::format(" {}.", plural(shut_offs, "shut-off"));
   if (line.smoothed_length > 1e-6 * diagonal || line.smoothed_climb > 1e-6 * diagonal)
     text +=

@@ -148,7 +148,7 @@ class Trial {
     progress.report(k_halves_stage, 0.1);
     hand_ = hand_walls(asked_.split, sheets_, asked_.assigned, attempt_);
     if (const auto at = sheets_.align_ends(attempt_.tolerance))
-      return MoldFault{"facets are so small or so close to each other that their ends fall together",
+      return MoldFault{"facets are so small or so close that their corners coincide by rounding",
                        k_avoid_rounding, at};
     if (auto fault = residual(sheets_, diagonal)) return fault;
     sheets_.keep_volume(
@@ -342,7 +342,7 @@ class Trial {
                          halves_.block_volume;
     if (std::abs(halves_.volume_gap) > k_most_gap)
       return MoldFault{
-          fmt::format("the volumes of block, halves, part and inserts are {:.2g} of the block apart",
+          fmt::format("the volumes of halves, part and inserts differ from the block by {:.2g} of it",
                       std::abs(halves_.volume_gap)),
           k_avoid_rounding, most_moved(sheets_)};
     halves_.tolerance = attempt_.tolerance;
@@ -412,8 +412,8 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
   for (const glm::dvec3& vertex : model.part.mesh.vertices) box.add(halves.frame.to_mold(vertex));
   halves.part_height = halves.scale * (box.max.z - box.min.z);
   if (!model.health.closed) {
-    halves.refusal = "the part is not closed, so that it has no inside";
-    halves.change = "close it: --repair full mends small holes, moldlight info lists all of them";
+    halves.refusal = "the part is not closed";
+    halves.change = "--repair full fills small holes, moldlight info lists all holes";
     for (const EdgeDefect kind : {EdgeDefect::open, EdgeDefect::inconsistent, EdgeDefect::nonmanifold}) {
       const auto chains = defect_chains(model.part.mesh, kind);
       if (halves.refused_at || chains.empty()) continue;

@@ -102,7 +102,7 @@ class PieceMaker {
     const SideAction& action = wish_.plan.actions[number];
     if (!is_slide(action.kind)) return refused("only slides are made as solids");
     if (std::abs(wish_.plain.frame.to_mold(action.direction).z) > k_inclined)
-      return refused("its way is inclined to the plane across the direction");
+      return refused("it moves at an angle to the plane across the direction");
     std::vector<const TriangleMesh*> formed;
     for (std::size_t k = 0; k < of_plain_.size(); ++k) {
       const InsertActions& of = of_plain_[k];

@@ -241,7 +241,8 @@ std::string refusal_text(const PartModel& model, const MoldHalves& halves, const
   if (written.refusal.empty()) return {};
   std::string text = "no halves: " + written.refusal;
   if (halves.refused_at) text += ", near " + FigureStyle(model).point(*halves.refused_at);
-  if (!loop.empty()) text += fmt::format(", at loop {}", loop);
+  if (const std::size_t blank = loop.rfind(' '); blank != std::string_view::npos)
+    text += fmt::format(", at {} loop{}", loop.substr(0, blank), loop.substr(blank));
   return halves.change.empty() ? text : text + "; " + halves.change;
 }
 
@@ -252,7 +253,7 @@ std::string unfilled_text(const PartModel& model, const MoldSettings& settings, 
   std::string places;
   for (std::size_t k = 0; k < std::min(halves.inserts.size(), k_most_places); ++k)
     places += fmt::format("{}{}", k == 0 ? "" : "; ", style.point(insert_place(halves, k)));
-  return fmt::format("undercuts keep {} in {} from both halves, at {}{}",
+  return fmt::format("undercuts hide {} in {} from both halves, at {}{}",
                      style.with_unit(FigureKind::volume, halves.insert_volume),
                      plural(halves.inserts.size(), "place"), places,
                      halves.inserts.size() > k_most_places ? "; …" : "");

@@ -56,7 +56,7 @@ constexpr std::string_view k_actions_text =
 
 void add_actions(py::module_& module, PartClass& part) {
   py::class_<PythonActions, SharedActions> found(
-      module, "Actions", "What part.actions() finds. Lengths and areas are in the part's unit.");
+      module, "Actions", "Result of part.actions(). Lengths and areas are in the part's unit.");
   add_members(
       found,
       {{"actions",
@@ -66,14 +66,14 @@ void add_actions(py::module_& module, PartClass& part) {
         "A dict each, the largest first: area, depth, where it is, and what to change to do without an "
         "action.",
         "/undercuts"},
-       {"verdict", "What is said of the part first: a dict with state, sentence and reasons."},
-       {"unreleased", "What nothing releases."},
+       {"verdict", "The verdict: a dict with state, sentence and reasons."},
+       {"unreleased", "Undercuts that nothing releases."},
        {"optimal", "No cheaper set of the actions that were tried releases as much."},
-       {"warnings", "What puts figures in doubt, a sentence each.", "/part/warnings"}});
+       {"warnings", "Why figures are in doubt, a sentence each.", "/part/warnings"}});
   found
       .def_property_readonly(
           "direction", [](const PythonActions& self) { return to_python(self.result().direction); },
-          "Of length one.")
+          "Unit vector.")
       .def("bodies", &bodies_of_actions, py::arg("progress") = py::none(),
            "bodies(self, progress=None)\n--\n\nThe closed solids that the actions move, where the mold is "
            "closed: "

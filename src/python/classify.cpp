@@ -201,26 +201,24 @@ void add_split(py::module_& module) {
 
 void add_figures(py::class_<PythonClassification, SharedClassification>& result) {
   using C = PythonClassification;
-  add_members(
-      result,
-      {{"verdict", "What is said of the part first: a dict with state, sentence, undercuts and reasons."},
-       {"total_area", "", "/areas/total"},
-       {"near_vertical_area", "", "/areas/near_vertical"},
-       {"undercut_uncertainty", "How far the undercut's area may be off."},
-       {"projected_area", ""},
-       {"projected_undercut", ""},
-       {"lateral_tolerance", ""},
-       {"warnings", "What puts figures in doubt, a sentence each.", "/part/warnings"},
-       {"fractions", "Shares of each region in the surface."},
-       {"uncertainty_parts", "Of what that is made: rounding, mesh, readout."},
-       {"identity", "The part's shadow found in two ways, and whether they agree."},
-       {"settings", "Every setting with its value."}});
+  add_members(result, {{"verdict", "The verdict: a dict with state, sentence, undercuts and reasons."},
+                       {"total_area", "", "/areas/total"},
+                       {"near_vertical_area", "", "/areas/near_vertical"},
+                       {"undercut_uncertainty", "Uncertainty of the undercut area."},
+                       {"projected_area", ""},
+                       {"projected_undercut", ""},
+                       {"lateral_tolerance", ""},
+                       {"warnings", "Why figures are in doubt, a sentence each.", "/part/warnings"},
+                       {"fractions", "Shares of each region in the surface."},
+                       {"uncertainty_parts", "Its parts: rounding, mesh, readout."},
+                       {"identity", "The part's shadow found in two ways, and whether they agree."},
+                       {"settings", "Every setting with its value."}});
   result
       .def_property_readonly(
           "areas", [](const C& self) { return region_dict(self.result().areas); },
           "The area of each region, in the part's unit squared.")
       .def_property_readonly(
-          "direction", [](const C& self) { return to_python(self.result().direction); }, "Of length one.")
+          "direction", [](const C& self) { return to_python(self.result().direction); }, "Unit vector.")
       .def_property_readonly(
           "facet_fractions",
           [](const C& self) { return listed(self.result().facet_fractions, self.model().part); },
@@ -244,7 +242,7 @@ void add_classify(py::module_& module, PartClass& part) {
   add_split(module);
   py::class_<PythonClassification, SharedClassification> result(
       module, "Classification",
-      "What part.classify() finds. Lengths and areas are in the part's unit; regions are in the order of "
+      "Result of part.classify(). Lengths and areas are in the part's unit; regions are in the order of "
       "moldlight.REGIONS.");
   add_figures(result);
   result

@@ -109,10 +109,10 @@ constexpr std::string_view k_mold_text =
 
 void add_mold(py::module_& module, PartClass& part) {
   py::class_<PythonMold, SharedMold> mold(
-      module, "Mold", "What part.mold() finds. Lengths, areas and volumes are in the part's unit.");
-  add_members(mold, {{"verdict", "What is said of the part first: a dict with state, sentence and reasons."},
+      module, "Mold", "Result of part.mold(). Lengths, areas and volumes are in the part's unit.");
+  add_members(mold, {{"verdict", "The verdict: a dict with state, sentence and reasons."},
                      {"parting_line", "The parting line in a sentence."},
-                     {"warnings", "What puts figures in doubt, a sentence each.", "/part/warnings"}});
+                     {"warnings", "Why figures are in doubt, a sentence each.", "/part/warnings"}});
   mold.def_property_readonly("areas", area_of,
                              "What core, cavity and side actions form, in the part's unit squared.")
       .def_property_readonly("loops", loops,
@@ -120,13 +120,13 @@ void add_mold(py::module_& module, PartClass& part) {
                              "'action'), points (k x 3, closed, the first is not repeated) and length.")
       .def_property_readonly(
           "direction", [](const PythonMold& self) { return to_python(self.assignment().direction); },
-          "Of length one.")
+          "Unit vector.")
       .def("write_line", &write_line, py::arg("path"),
            "write_line(self, path)\n--\n\nWrites the parting line, by the ending of the file's name: .dxf, "
            ".step, .svg, .obj or .csv.")
       .def_property_readonly(
           "refusal", [](const PythonMold& self) { return with_keywords(self.refusal()); },
-          "Why there are no halves to write; empty where there are.")
+          "Why there are no halves; empty if there are halves.")
       .def_property_readonly(
           "bodies", bodies_of_mold,
           "Core, cavity and inserts, as they are written: a dict each with name, vertices, "

@@ -82,7 +82,7 @@ std::string health_text(const HealthReport& health) {
 
 void add_health(py::module_& module) {
   py::class_<HealthReport>(module, "Health",
-                           "What a part's mesh is like. Counts of edges are of pairs of vertices; area and "
+                           "State of a part's mesh. Counts of edges are of pairs of vertices; area and "
                            "volume are in the part's unit squared and cubed.")
       .def_readonly("facets", &HealthReport::facets)
       .def_readonly("vertices", &HealthReport::vertices, "Used by at least one facet.")
@@ -112,15 +112,15 @@ void add_properties(PartClass& part) {
   };
   part.def_property_readonly("file", of_part(&Part::file), "The file's name, or the name given to arrays.")
       .def_property_readonly("format", of_part(&Part::format), "\"STL binary\", \"STEP\", …, \"arrays\".")
-      .def_property_readonly("unit", of_part(&Part::unit), "\"mm\", …; empty where nothing names one.")
-      .def_property_readonly("repairs", of_part(&Part::repairs), "What a repair did, a sentence each.")
+      .def_property_readonly("unit", of_part(&Part::unit), "\"mm\", …; empty if the file names none.")
+      .def_property_readonly("repairs", of_part(&Part::repairs), "Changes by the repair, a sentence each.")
       .def_property_readonly(
           "warnings", [](const PythonPart& self) { return to_python(Json(self.model->warnings)); },
-          "What puts figures in doubt, a sentence each.")
+          "Why figures are in doubt, a sentence each.")
       .def_property_readonly("bodies", body_list,
                              "A dict a body: its name, its first facet, and how many it has.")
       .def_property_readonly(
-          "health", [](const PythonPart& self) { return self.model->health; }, "What the mesh is like.");
+          "health", [](const PythonPart& self) { return self.model->health; }, "State of the mesh.");
 }
 
 void add_arrays(PartClass& part) {
@@ -138,11 +138,11 @@ void add_arrays(PartClass& part) {
       .def_property_readonly(
           "facet_areas",
           [](const PythonPart& self) { return listed(self.model->geometry.areas, self.model->part); },
-          "m float64, read only.")
+          "Area of each facet: m float64, read only.")
       .def_property_readonly(
           "facet_normals",
           [](const PythonPart& self) { return listed(self.model->geometry.normals, self.model->part); },
-          "m x 3 float64, read only: of length one, outward.")
+          "Normal of each facet: m x 3 float64, read only, unit vectors that point outward.")
       .def_property_readonly(
           "face_of_facet",
           [](const PythonPart& self) -> py::object {

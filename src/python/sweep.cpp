@@ -86,22 +86,22 @@ constexpr std::string_view k_sweep_text =
 
 void add_sweep(py::module_& module, PartClass& part) {
   py::class_<PythonSweep, SharedSweep> found(
-      module, "Sweep", "What part.sweep() finds. Lengths and areas are in the part's unit.");
+      module, "Sweep", "Result of part.sweep(). Lengths and areas are in the part's unit.");
   add_members(
       found,
       {{"candidates",
-        "The directions listed, best first: a dict each, with direction, areas, tilt and the other figures "
+        "The listed directions, best first: a dict each, with direction, areas, tilt and the other figures "
         "of the report."},
-       {"verdict", "What is said of the best direction first: a dict with state, sentence and reasons."},
-       {"proof", "What prove asked for, as a dict; else None."},
-       {"all_free", "What all_free asked for, as a dict; else None."},
-       {"remarks", "What there is to say of the directions, a sentence each."},
+       {"verdict", "The verdict on the best direction: a dict with state, sentence and reasons."},
+       {"proof", "The proof that prove asks for, as a dict; else None."},
+       {"all_free", "The directions that all_free asks for, as a dict; else None."},
+       {"remarks", "Remarks on the directions, a sentence each."},
        {"complete", "Neither the callback nor a time limit ended it."}});
   found
       .def_property_readonly(
           "best_direction", best,
-          "The one recommended, the core on its side; by an objective the first of those listed. "
-          "Of length one; None of none.")
+          "The recommended direction, with the core on its side; with an objective the first one listed. "
+          "Unit vector, or None.")
       .def_property_readonly("scored_directions", scored_directions,
                              "k x 3 float64: every direction that was scored.")
       .def_property_readonly(

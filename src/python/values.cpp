@@ -28,7 +28,7 @@ std::string utf8_of(const py::handle& text, std::string_view key) {
   const char* bytes = PyUnicode_AsUTF8AndSize(text.ptr(), &size);
   if (bytes == nullptr) {
     PyErr_Clear();
-    throw UsageError(fmt::format("{}: the text is no valid Unicode", key));
+    throw UsageError(fmt::format("{}: the text is not valid Unicode", key));
   }
   return {bytes, static_cast<std::size_t>(size)};
 }

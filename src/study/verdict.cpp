@@ -172,7 +172,7 @@ class Judge {
       const std::string what = fmt::format("{} ({})", undercuts, area(verdict_.undercut_area));
       if (number > k_most_actions) {
         set(VerdictState::side_actions,
-            fmt::format("Not for this direction: it takes {} to release {}.", listed(actions.counts), what));
+            fmt::format("Too many side actions: {} are needed to release {}.", listed(actions.counts), what));
       } else {
         set(VerdictState::side_actions,
             fmt::format("{} {} {}.", listed(actions.counts), number == 1 ? "releases" : "release", what));
@@ -195,7 +195,7 @@ class Judge {
                       count == 1 ? "is a closed void" : "are closed voids", count == 1 ? "it" : "them",
                       count == 1 ? "it" : "them"));
     if (meeting > 0)
-      add(fmt::format("The ways of {} cross.", plural(static_cast<std::size_t>(meeting), "action")));
+      add(fmt::format("The paths of {} cross.", plural(static_cast<std::size_t>(meeting), "action")));
   }
 
   void add_specks() {

@@ -20,12 +20,12 @@ struct CriterionFacts {
 
 constexpr std::array<CriterionFacts, k_mold_criteria> k_facts = {{
     {0.5, ""},
-    {1e-2, "leaves {} % of the surface {} that nothing releases"},
+    {1e-2, "leaves {} % {} of the surface unreleased"},
     {0.05, ""},
     {0.02, "its parting line climbs {} % of the diagonal {}"},
-    {0.02, "{} % of the surface {} has too little draft"},
-    {5e-3, "has {} % of the surface {} undercut"},
-    {0.02, "draws {} % of the diagonal {} deep"},
+    {0.02, "has {} % {} of the surface with too little draft"},
+    {5e-3, "has {} % {} of the surface undercut"},
+    {0.02, "has {} % of the diagonal {} draw depth"},
     {0.02, ""},
 }};
 
@@ -87,7 +87,7 @@ std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) 
           difference(unreleased, one, other, k_least_left),
           {(one.weight - other.weight) / mold_band(effort), "needs " + actions_difference(one, other), 1e-6},
           {k_effort_of_formed * by_formed / mold_band(effort),
-           fmt::format("its side actions form {} % of the surface {}", per_cent(std::abs(by_formed)),
+           fmt::format("its side actions form {} % {} of the surface", per_cent(std::abs(by_formed)),
                        by_formed > 0.0 ? "more" : "less")},
           difference(line, one, other, k_least_climb),
           difference(draft, one, other),

@@ -288,7 +288,7 @@ void MoldRanking::put(Listed& list, std::vector<Contender>& contenders, std::siz
     reasons = {contender.actions
                    ? fmt::format("needs side actions for {:.2g} % of the surface",
                                  100.0 * contender.actions->formed_area / tools_.model.geometry.total_area)
-                   : "its side actions were not sought"};
+                   : "its side actions were not computed"};
     contender.actions.reset();
   } else if (!list.contenders.empty() && list.contenders.back().cost) {
     reasons = rank_reasons(*contender.cost, *list.contenders.back().cost);

@@ -60,20 +60,20 @@ CoreSide core_side(const PartModel& model, const Query& query, const Progress& p
   const double as_much = k_as_much * model.geometry.total_area;
   const auto made = [&](bool along, const std::string& why) {
     const glm::dvec3 side = along ? found.direction : -found.direction;
-    return CoreSide{along, fmt::format("the core is on the side of {}: {}", direction_words(side), why)};
+    return CoreSide{along, fmt::format("The core is on the side of {}: {}", direction_words(side), why)};
   };
   if (const double difference = core.inner - cavity.inner; std::abs(difference) > as_much) {
     const auto [less, more] = std::minmax(core.inner, cavity.inner);
     return made(difference > 0.0,
-                fmt::format("the part shrinks onto {} of inner walls there, onto {} opposite",
+                fmt::format("the part shrinks onto {} of inner walls there, and onto {} on the other side",
                             area_text(model, more), area_text(model, less)));
   }
   if (const double difference = core.alone - cavity.alone; std::abs(difference) > as_much) {
     const auto [less, more] = std::minmax(core.alone, cavity.alone);
-    return made(difference > 0.0, fmt::format("that half forms {} of the surface alone, the other one {}",
+    return made(difference > 0.0, fmt::format("that half alone forms {} of the surface, the other half {}",
                                               area_text(model, more), area_text(model, less)));
   }
-  return made(true, "either half may be the core, since both form as much");
+  return made(true, "either half may be the core, since both form the same area");
 }
 
 }  // namespace
@@ -85,14 +85,14 @@ Recommendation recommendation(const PartModel& model, const MethodSettings& meth
   Recommendation found{.direction = (core.along ? best.candidate.direction : -best.candidate.direction) + 0.0,
                        .why = mold_text(model, best),
                        .beside = best.beside};
-  if (found.why.empty()) found.why = "its side actions were not sought";
+  if (found.why.empty()) found.why = "its side actions were not computed";
   found.name = direction_words(found.direction);
   if (best.candidate.canonical && !nearest_axis(found.direction).is_met())
     found.name = best.candidate.canonical->name;
   if (candidates.size() > 1 && !candidates[1].rank_reasons.empty())
-    found.why += fmt::format("; the next, {}, {}", direction_words(candidates[1].candidate.direction),
+    found.why += fmt::format(". The next, {}, {}", direction_words(candidates[1].candidate.direction),
                              candidates[1].rank_reasons.front());
-  found.why += "; " + core.why;
+  found.why += ". " + core.why;
   return found;
 }
 

@@ -36,12 +36,12 @@ std::string on_undercut(const PartModel& model, const SweepCandidate& best, bool
   const auto count = figure_value(direction_figure("undercuts"), best);
   const std::string undercuts = !count ? ""
                                 : *count == 0.0
-                                    ? " in specks"
+                                    ? " in marks too small to count"
                                     : fmt::format(" in {} {}", *count, *count == 1.0 ? "place" : "places");
-  return fmt::format(
-      "{} {}{}.",
-      by_molds ? "The best leaves" : "Every direction that was tried has an undercut; the best leaves",
-      area_text(model, undercut_area(best)), undercuts);
+  return fmt::format("{} {}{}.",
+                     by_molds ? "The best leaves an undercut of"
+                              : "Every direction that was tried has an undercut. The best leaves",
+                     area_text(model, undercut_area(best)), undercuts);
 }
 
 /// The first direction that does not tie with the best.
@@ -56,19 +56,19 @@ void remark_on_actions(const PartModel& model, const SweepResult& result, std::v
       result.candidates, [](const SweepCandidate& candidate) { return !candidate.actions; });
   if (unknown > 0 && result.settings.rank == SweepRank::mold && result.complete) {
     remarks.push_back(fmt::format(
-        "{} of the directions listed certainly need{} heavier side actions, which were not computed.",
+        "{} of the listed directions certainly need{} costlier side actions. These were not computed.",
         unknown, unknown == 1 ? "s" : ""));
   } else if (unknown > 0) {
     remarks.push_back(
-        fmt::format("Ended early: side actions of {} of the {} directions listed were not found.", unknown,
+        fmt::format("Ended early: side actions of {} of the {} listed directions were not found.", unknown,
                     result.candidates.size()));
   }
   const SweepCandidate& best = result.candidates.front();
   if (best.actions)
-    remarks.push_back(fmt::format("Side actions of the best: {}.", side_actions_text(model, best)));
+    remarks.push_back(fmt::format("Side actions of the best direction: {}.", side_actions_text(model, best)));
   if (result.with_actions > 0 && needs_actions(result.settings.objective)) {
     remarks.push_back(
-        fmt::format("They were found for the {} directions of least undercut.", result.with_actions));
+        fmt::format("Side actions were found for the {} directions of least undercut.", result.with_actions));
   }
 }
 
@@ -77,12 +77,12 @@ void remark_on_user(const PartModel& model, const SweepResult& result, std::vect
   for (const SweepCandidate& given : result.candidates) {
     if (!given.candidate.from_user()) continue;
     const std::string name =
-        fmt::format("The direction given, {},", direction_words(given.candidate.direction));
+        fmt::format("The given direction, {},", direction_words(given.candidate.direction));
     if (given.tie_group == 1) {
       const SweepCandidate* next = runner_up(result.candidates);
       remarks.push_back(
           name + (given.rank == 1 ? " is already best" : " ties with the best") +
-          (next != nullptr ? fmt::format("; the next has {} undercut.", difference_text(model, given, *next))
+          (next != nullptr ? fmt::format(". The next has {} undercut.", difference_text(model, given, *next))
                            : "."));
     } else {
       remarks.push_back(fmt::format("{} is number {}: {} undercut than the best.", name, given.rank,
@@ -117,8 +117,8 @@ void remark_on_proof(const PartModel& model, const SweepResult& result, std::vec
                                   proof->holds ? "Proved" : "Not proved everywhere", open,
                                   area_text(model, proof->bound), grade_text(model, *proof),
                                   proof->open.empty() ? ""
-                                  : proof->holds      ? "; the open directions lie around those listed"
-                                                      : "; better directions may be among the open ones"));
+                                  : proof->holds      ? ". The open directions lie around those listed"
+                                                      : ". Better directions may be among the open ones"));
   }
   if (const auto& free = result.all_free) {
     remarks.push_back(
@@ -145,7 +145,7 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
   const auto scored = std::ranges::count(result.candidates, false, &SweepCandidate::measured);
   if (scored > 0) {
     remarks.push_back(
-        fmt::format("Ended early: {} of the {} directions listed were not measured, only scored.", scored,
+        fmt::format("Ended early: {} of the {} listed directions were not measured, only scored.", scored,
                     result.candidates.size()));
   }
   remarks.push_back(on_undercut(model, best, by_molds));
@@ -153,7 +153,7 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
   if (result.recommended) {
     const Recommendation& recommended = *result.recommended;
     remarks.push_back(fmt::format("{}: {}; {}.",
-                                  recommended.provisional ? "Recommended by what was found" : "Recommended",
+                                  recommended.provisional ? "Recommended so far" : "Recommended",
                                   recommended.name, recommended.why));
   }
   if (ties > 1) {

@@ -50,10 +50,10 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "Number of scored directions that are refined. At most three of these are refined once more, by exact "
        "figures.",
        IntegerKind<S>{&S::refine, 0, 100}},
-      {"top", "--top", "Directions listed", "", "Number of directions listed with exact figures.",
+      {"top", "--top", "Directions listed", "", "Number of listed directions, with exact figures.",
        IntegerKind<S>{&S::top, 1, 1000}},
       {"apart_deg", "--apart", "Apart", "deg",
-       "Least angle between directions listed. A direction of the part itself that ties may be closer.",
+       "Least angle between listed directions. A tied direction along a feature of the part may be closer.",
        RealKind<S>{&S::apart_deg, 0.0, 45.0, 0.5}},
       {"engine", "--engine", "Engine", "",
        "Score directions by exact rays from surface samples, or by shadow maps on the GPU, many directions "
@@ -71,10 +71,10 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "Growth of the undercut area that ends the tilt margin.",
        RealKind<S>{&S::tilt_growth_pct, 1e-4, 100.0, 0.1}},
       {"pressure", "--pressure", "Pressure", "force per area",
-       "Cavity pressure; times the projected area it gives the clamp force.",
+       "Cavity pressure. Pressure times projected area is the clamp force.",
        RealKind<S>{&S::pressure, 0.0, 1e12, 1.0}},
       {"actions", "--actions", "Side actions", "",
-       "Find the side actions of all directions listed. This takes longer than the rest of the sweep. Ties "
+       "Find the side actions of all listed directions. This takes longer than the rest of the sweep. Ties "
        "are ranked by their weight.",
        SwitchKind<S>{&S::actions}},
       {"prove", "--prove", "Prove the best", "",
@@ -92,8 +92,7 @@ std::span<const Option<SweepSettings>> sweep_options() {
       {"proof_limit_s", "--proof-limit", "Proof limit", "s",
        "Time limit for all proofs together. What is open by then stays open. 0: no limit.",
        RealKind<S>{&S::proof_limit_s, 0.0, 1e9, 1.0}},
-      {"jobs", "--jobs", "Threads", "", "Number of threads. 0 takes all cores.",
-       IntegerKind<S>{&S::jobs, 0, 256}},
+      {"jobs", "--jobs", "Threads", "", "Number of threads. 0: all cores.", IntegerKind<S>{&S::jobs, 0, 256}},
       {"time_limit_s", "--time-limit", "Time limit", "s",
        "Time limit. The sweep ends with the results it has by then. 0: no limit.",
        RealKind<S>{&S::time_limit_s, 0.0, 1e9, 1.0}},
@@ -110,12 +109,12 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "Mold ranks by unreleased surface, side actions, parting line, draft, undercut and depth, in this "
        "order. Objective ranks by --objective alone, and is the default with --objective or a proof.",
        choice<&S::rank>({"mold", "objective"})},
-      {"worth_pct", "--worth", "Worth leaving an axis", "% of the part's area",
+      {"worth_pct", "--worth", "Least gain over an axis", "% of the part's area",
        "A direction found by search within 10° of an axis or face normal of the part replaces it only if it "
        "saves this much undercut, or side actions.",
        RealKind<S>{&S::worth_pct, 0.0, 100.0, 0.1}},
       {"candidates", "--candidates", "Candidates", "",
-       "Sources of candidate directions, separated by commas. All and none are possible.",
+       "Sources of candidate directions, separated by commas; or all, or none.",
        SetKind<S>{names_of(all_candidate_kinds()), [](const S& s) { return names_of(s.kinds); },
                   [](S& s, const Words& names) { s.kinds = kinds_named(names); }}},
       {"user_directions", "--direction", "Directions given", "",

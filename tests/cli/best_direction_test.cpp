@@ -53,7 +53,7 @@ TEST_F(BestDirectionCommand, SaysHowFarItIsOffAnAxis) {
     EXPECT_EQ(best["off_axis"].get<std::string>().find(k_sentence), 0U) << best;
     EXPECT_NE(best["off_axis"].get<std::string>().find("25° from z"), std::string::npos) << best;
     EXPECT_NE(best["name"].get<std::string>().find("normal of the largest plane"), std::string::npos) << best;
-    EXPECT_NE(best["why"].get<std::string>().find("the core is on the side of"), std::string::npos) << best;
+    EXPECT_NE(best["why"].get<std::string>().find("The core is on the side of"), std::string::npos) << best;
   }
 }
 

@@ -152,7 +152,7 @@ TEST_F(Compare, TellsWhetherTheMoldSurvives) {
   EXPECT_NEAR(json["mold"]["steel_to_add"]["volume"].get<double>(), steel, 1e-9 * steel);
   EXPECT_EQ(json["mold"]["steel_to_cut"]["volume"], 0.0);
   EXPECT_TRUE(json["mold"]["sentence"].get<std::string>().starts_with(
-      "No place cuts steel; 1 needs steel: 120 mm³ at (17.5, 15, 6) mm, slide 1."))
+      "No steel is cut. Steel is added at 1 place: 120 mm³ at (17.5, 15, 6) mm, slide 1."))
       << json["mold"]["sentence"];
   const auto& place = json["places"][0];
   EXPECT_TRUE(place["steel_to_cut"].is_null());

@@ -108,7 +108,7 @@ TEST(SweepCommand, RecommendsAsAMoldMakerRanks) {
   EXPECT_EQ(recommended["name"], "z") << "the cup opens upwards";
   EXPECT_EQ(recommended["direction"], Json({0.0, 0.0, 1.0}));
   EXPECT_EQ(recommended["provisional"], false);
-  EXPECT_NE(recommended["why"].get<std::string>().find("the core is on the side of z"), std::string::npos);
+  EXPECT_NE(recommended["why"].get<std::string>().find("The core is on the side of z"), std::string::npos);
   const Json& candidates = json["candidates"];
   ASSERT_GE(candidates.size(), 2U);
   EXPECT_EQ(candidates[0]["canonical"], "z");
@@ -221,7 +221,7 @@ TEST(SweepCommand, TakesDirectionsByFlagAndFile) {
   EXPECT_EQ(json["candidates"][0]["direction"], (Json{0.0, 0.0, 1.0}));
   for (const Json& candidate : json["candidates"]) EXPECT_EQ(candidate["sources"][0]["kind"], "user");
   const auto says_best = [](const Json& remark) {
-    return remark.get<std::string>().starts_with("The direction given, z, is already best; the next has ");
+    return remark.get<std::string>().starts_with("The given direction, z, is already best. The next has ");
   };
   EXPECT_EQ(std::ranges::count_if(json["remarks"], says_best), 1) << json["remarks"];
 }

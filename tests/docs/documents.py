@@ -9,6 +9,8 @@ sys.path.insert(0, str(ROOT / "docs" / "tools"))
 import blocks  # noqa: E402  (its folder is known now)
 
 PAGES = blocks.pages()
+# What only developers read is held to the length of a line alone.
+ALL_MARKDOWN = sorted({*PAGES, *ROOT.glob("*.md"), *ROOT.glob("[ast]*/README.md")})
 
 
 def anchors(lines):

@@ -78,7 +78,7 @@ TEST_F(SweepEndedEarly, BeforeItMeasuresTheReportTellsSo) {
     for (const char* key : {"undercuts", "projected_undercut", "identity", "uncertainty_parts"})
       EXPECT_TRUE(candidate[key].is_null()) << key;
   }
-  EXPECT_EQ(json["remarks"][0], "Ended early: 4 of the 4 directions listed were not measured, only scored.");
+  EXPECT_EQ(json["remarks"][0], "Ended early: 4 of the 4 listed directions were not measured, only scored.");
 }
 
 TEST_F(SweepEndedEarly, WhileItPolishesWhatIsMeasuredIsListed) {
@@ -108,7 +108,7 @@ TEST_F(SweepEndedEarly, WhileItFindsSideActionsThoseFoundAreTold) {
   EXPECT_TRUE(json["candidates"][0]["actions"].is_string());
   for (const char* key : {"actions", "side_actions", "travel", "unreleased_area"})
     EXPECT_TRUE(json["candidates"][3][key].is_null()) << key;
-  EXPECT_EQ(result.remarks[1], "Ended early: side actions of 2 of the 4 directions listed were not found.");
+  EXPECT_EQ(result.remarks[1], "Ended early: side actions of 2 of the 4 listed directions were not found.");
 }
 
 TEST_F(SweepEndedEarly, AtTheTimeLimitTheBestIsMeasured) {

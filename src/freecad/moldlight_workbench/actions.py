@@ -34,7 +34,7 @@ class SideActions(Analysis):
     def add_properties(self, obj):
         super().add_properties(obj)
         properties.add_result(obj, "App::PropertyString", "Verdict",
-                              translate("Moldlight", "What is said of the undercuts first"))
+                              translate("Moldlight", "Verdict on the undercuts"))
         properties.add_result(obj, "App::PropertyArea", "Unreleased",
                               translate("Moldlight", "Undercut that no action releases"))
         properties.add_result(obj, "App::PropertyIntegerList", "Counts", "", hidden=True)

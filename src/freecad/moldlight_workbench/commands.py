@@ -56,35 +56,35 @@ class Regions(Command):
     opens = RegionsPanel
     text = QT_TRANSLATE_NOOP("Moldlight", "Mold regions")
     tip = QT_TRANSLATE_NOOP(
-        "Moldlight", "What core and cavity form of the selected body, and what is an undercut; select a face, an edge "
-        "or an axis with it to part along it")
+        "Moldlight", "Find what core and cavity form of the selected body, and its undercuts. A face, edge or axis "
+        "selected with it sets the parting direction.")
 
 
 class Direction(Command):
     name, picture = "Moldlight_FindDirection", "direction"
     opens = DirectionPanel
     text = QT_TRANSLATE_NOOP("Moldlight", "Find direction")
-    tip = QT_TRANSLATE_NOOP("Moldlight", "The parting directions that leave the least undercut, to choose from")
+    tip = QT_TRANSLATE_NOOP("Moldlight", "Find the parting directions with the least undercut, and choose one")
 
 
 class Actions(Command):
     name, picture = "Moldlight_Actions", "actions"
     opens = ActionsPanel
     text = QT_TRANSLATE_NOOP("Moldlight", "Undercuts and actions")
-    tip = QT_TRANSLATE_NOOP("Moldlight", "The slides, lifters and other side actions that release the undercuts")
+    tip = QT_TRANSLATE_NOOP("Moldlight", "Find the slides, lifters and other side actions that release the undercuts")
 
 
 class Parting(Command):
     name, picture = "Moldlight_Parting", "parting"
     opens = PartingPanel
     text = QT_TRANSLATE_NOOP("Moldlight", "Parting line")
-    tip = QT_TRANSLATE_NOOP("Moldlight", "Where the mold's halves meet, as edges, and the halves as meshes")
+    tip = QT_TRANSLATE_NOOP("Moldlight", "Make the parting line as edges, and the mold halves as meshes")
 
 
 class Window(Command):
     name, picture = "Moldlight_Window", "window"
     text = QT_TRANSLATE_NOOP("Moldlight", "Open in moldlight")
-    tip = QT_TRANSLATE_NOOP("Moldlight", "The same part, direction and settings in moldlight's own window")
+    tip = QT_TRANSLATE_NOOP("Moldlight", "Open the part with this direction and these settings in moldlight's own window")
 
     def Activated(self):
         with task.failures_said():

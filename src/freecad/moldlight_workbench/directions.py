@@ -21,7 +21,7 @@ def typed(text):
         numbers = []
     if len(numbers) != 3:
         raise Refusal(
-            translate("Moldlight", "“{}” is no direction: type three numbers, or an axis such as z or -y.").format(text)
+            translate("Moldlight", "“{}” is not a direction: type three numbers, or an axis such as z or -y.").format(text)
         )
     return unit(FreeCAD.Vector(*numbers))
 

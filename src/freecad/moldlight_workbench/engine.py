@@ -18,7 +18,7 @@ def engine():
             translate(
                 "Moldlight",
                 "The Python module moldlight is not there: install the package python3-moldlight, or start "
-                "FreeCAD with --python-path and the folder that the module is in ({}).",
+                "FreeCAD with -P and the module's folder ({}).",
             ).format(failure)
         ) from None
     return moldlight

@@ -30,10 +30,10 @@ class PartingLine(Analysis):
             # Halves are shown in any case; what they cannot form is an insert beside them.
             obj.FillUndercut = True
         properties.add(obj, "App::PropertyDistance", "Opening", "Mold",
-                       translate("Moldlight", "How far each half is moved out to be looked at"))
-        properties.add_result(obj, "App::PropertyString", "Verdict", translate("Moldlight", "What is said of the mold first, and of its parting line"))
+                       translate("Moldlight", "Distance by which each half is moved out"))
+        properties.add_result(obj, "App::PropertyString", "Verdict", translate("Moldlight", "Verdict on the mold, and a sentence on its parting line"))
         properties.add_result(obj, "App::PropertyString", "Refusal", translate("Moldlight", "Why there are no halves"))
-        properties.add_result(obj, "App::PropertyStringList", "Kinds", translate("Moldlight", "What each wire is"))
+        properties.add_result(obj, "App::PropertyStringList", "Kinds", translate("Moldlight", "Kind of each wire"))
 
     def show(self, obj, part, answer, listener):
         loops = answer.loops

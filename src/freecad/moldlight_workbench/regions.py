@@ -55,19 +55,19 @@ class MoldRegions(properties.Proxy):
         add(obj, "App::PropertyLinkListGlobal", "Containers", "Mold", "")
         obj.setEditorMode("Containers", 2)
         add(obj, "App::PropertyVector", "Direction", "Mold",
-            tip("Moldlight", "Parting direction, in which the core's side opens; found from Reference where that is set"),
+            tip("Moldlight", "Parting direction, along which the core moves; follows Reference if that is set"),
             FreeCAD.Vector(0, 0, 1))
         add(obj, "App::PropertyLinkSubGlobal", "Reference", "Mold",
             tip("Moldlight", "Face, edge or axis that the parting direction follows"))
-        add(obj, "App::PropertyBool", "Reversed", "Mold", tip("Moldlight", "The other way along Reference"))
+        add(obj, "App::PropertyBool", "Reversed", "Mold", tip("Moldlight", "Opposite to Reference"))
         properties.add_settings(obj, "classify", CLASSIFY_KEYS)
         properties.add_settings(obj, "read", ("linear_deflection", "angular_deflection_deg"))
         for name, region in zip(REGION_PROPERTIES, engine().REGIONS):
             result(obj, "App::PropertyArea", name, tip("Moldlight", "Area of the region: {}").format(region))
         result(obj, "App::PropertyArea", "TotalArea", tip("Moldlight", "Area of the whole surface"))
-        result(obj, "App::PropertyArea", "Uncertainty", tip("Moldlight", "How far the undercut's area may be off"))
-        result(obj, "App::PropertyString", "Verdict", tip("Moldlight", "What is said of the direction first"))
-        result(obj, "App::PropertyStringList", "Warnings", tip("Moldlight", "What puts figures in doubt"))
+        result(obj, "App::PropertyArea", "Uncertainty", tip("Moldlight", "Uncertainty of the undercut area"))
+        result(obj, "App::PropertyString", "Verdict", tip("Moldlight", "Verdict on the direction"))
+        result(obj, "App::PropertyStringList", "Warnings", tip("Moldlight", "Warnings: why figures are in doubt"))
         hidden = (("App::PropertyIntegerList", "FaceRegions"), ("App::PropertyFloatList", "FaceAreas"),
                   ("App::PropertyFloatList", "FaceDrafts"), ("App::PropertyColorList", "Colours"))
         for kind, name in hidden:

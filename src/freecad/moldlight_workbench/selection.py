@@ -40,7 +40,7 @@ def chosen_body():
     solids = [source for source, element in pairs if not element or element.startswith("Face")]
     bodies = [source for source in (*solids, *(source for source, _ in pairs)) if _has_shape(source)]
     if not pairs:
-        raise Refusal(translate("Moldlight", "Nothing is selected: choose the body that is to be molded first."))
+        raise Refusal(translate("Moldlight", "Nothing is selected: choose the body to be molded first."))
     if not bodies:
         return None, pairs[0][0], None
     body = next((source for source in bodies if shapes.located_shape(source).Solids), bodies[0])

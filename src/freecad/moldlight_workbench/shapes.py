@@ -47,7 +47,7 @@ def solid_shape(source):
     if shape.isNull() or not shape.Solids:
         raise Refusal(
             translate(
-                "Moldlight", "“{}” has no solid: mold regions are those of a body that encloses a volume."
+                "Moldlight", "“{}” has no solid. Choose a body that encloses a volume."
             ).format(source.Label)
         )
     # Faces keep the numbers that they have in the body wherever all of them belong to solids.

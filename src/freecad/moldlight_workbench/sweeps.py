@@ -45,7 +45,7 @@ def direction_table(obj):
 
 
 def remarks(obj):
-    """What there is to say of the directions, a sentence each."""
+    """Remarks on the directions, a sentence each."""
     found = report(obj)
-    early = [translate("Moldlight", "The search was ended early; this is what was found by then.")]
+    early = [translate("Moldlight", "The search ended early. These are the directions found by then.")]
     return (early if found and not found["complete"] else []) + found.get("remarks", [])

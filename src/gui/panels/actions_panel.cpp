@@ -28,7 +28,7 @@ constexpr float k_pin_width = 88.0F;
 constexpr std::array<ListColumn, 3> k_action_columns = {{
     {"#", "", 8.0F, false},
     {"area", "Undercut area, in the part's unit squared.", 88.0F, true},
-    {"action", "What releases it.", 110.0F, false},
+    {"action", "Action that releases it.", 110.0F, false},
 }};
 
 /// Directions about the parting direction are given by their azimuth.

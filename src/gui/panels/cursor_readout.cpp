@@ -178,7 +178,7 @@ void draw_measuring(const PanelContext& context) {
   if (seen.size() < 2) {
     const FreeArea area = context.free_area();
     draw_tag(ui, {area.middle_x(), static_cast<float>(area.min.y) + ui.px(24)},
-             places.empty() ? "Measure: click a place on the part" : "and another one", ui.colours->text);
+             places.empty() ? "Measure: click a place on the part" : "and a second place", ui.colours->text);
     return;
   }
   const MeasuredPair pair = measured(places[0], places[1], state.settings.direction.unit());

@@ -116,7 +116,7 @@ void MoldExportDialog::draw(const PanelContext& context) {
     const std::string& error = state.mold.error;
     return {.now = ready && (solids || json_ || !lines_.empty()),
             .wait = ready           ? ""
-                    : error.empty() ? "Being made; they can be written then."
+                    : error.empty() ? "The halves are being made. They can be written when they are done."
                                     : error};
   };
   const PathDialog::Form form{.name = "Export the mold",

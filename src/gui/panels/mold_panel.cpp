@@ -52,7 +52,7 @@ void draw_cosmetic(const PanelContext& context) {
     const std::string label = fmt::format("{} to the {}  ×", plural(faces.size(), "face"), half);
     const bool forgotten = chip(ui, label, true);
     name_item(ui, fmt::format("faces to the {}", half));
-    tooltip(ui, "Faces given by hand",
+    tooltip(ui, "Faces assigned by hand",
             "Saved with the part; the flag --cosmetic does the same. Click to remove them.");
     if (!forgotten) continue;
     for (const std::uint32_t face : faces) cosmetic = cosmetic_with(cosmetic, face, std::nullopt);
@@ -74,7 +74,7 @@ void draw_height(const PanelContext& context, const RowOptions& numbers) {
     if (height > range.low && height < range.high) {
       given = height;
     } else {
-      numbers.refused(fmt::format("The halves can meet between {} and {}, where the part is",
+      numbers.refused(fmt::format("The halves can meet between {} and {}, within the part",
                                   with_minus(figure(range.low)), with_minus(figure(range.high))));
     }
   }

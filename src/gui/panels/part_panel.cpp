@@ -67,7 +67,7 @@ void draw_body(const PanelContext& context) {
   row_text(ui, ui.muted(), ui.px(64), "Body");
   ImGui::SameLine(0.0F, 0.0F);
   const float width = room_left() - 2.0F * (arrow + gap);
-  if (icon_button(ui, {"previous body", Icon::chevron_left, "The body before"}))
+  if (icon_button(ui, {"previous body", Icon::chevron_left, "Previous body"}))
     wanted = (wanted + count) % (count + 1);
   ImGui::SameLine(0.0F, gap);
   const std::string shown = fitted(ui.fonts.body, body_text(bodies, bodies.chosen), width - ui.px(16));
@@ -75,8 +75,7 @@ void draw_body(const PanelContext& context) {
   name_item(ui, "body");
   list_bodies(ui, bodies, wanted);
   ImGui::SameLine(0.0F, gap);
-  if (icon_button(ui, {"next body", Icon::chevron_right, "The next body"}))
-    wanted = (wanted + 1) % (count + 1);
+  if (icon_button(ui, {"next body", Icon::chevron_right, "Next body"})) wanted = (wanted + 1) % (count + 1);
   if (wanted != bodies.chosen) context.edits.reading.body = wanted == 0 ? "all" : fmt::format("{}", wanted);
   if (bodies.chosen == 0) hint(ui, "All bodies as one part. Choose the body that is molded.");
 }

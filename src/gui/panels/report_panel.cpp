@@ -32,7 +32,7 @@ void ReportPanel::draw(const PanelContext& context) {
   toggle(ui, {"Page for a browser (HTML)"}, order_.html);
   ImGui::BeginDisabled(!order_.html || !chosen.lives);
   toggle(ui, {"Live page"}, order_.live);
-  tooltip(ui, "Live page", "Its reader turns the direction, and the regions follow.");
+  tooltip(ui, "Live page", "The reader can turn the direction; the regions follow.");
   ImGui::EndDisabled();
   toggle(ui, {"Pages of paper (PDF)"}, order_.pdf);
   hint(ui, "Files are named after this path:");
@@ -41,7 +41,7 @@ void ReportPanel::draw(const PanelContext& context) {
   proposed_ = beside;
   text_field(ui, "##Report path", path_);
   const bool lacks_sweep = chosen.command == "sweep" && !state.sweep.result;
-  if (lacks_sweep) hint(ui, "No directions were looked for. The step Direction does it.");
+  if (lacks_sweep) hint(ui, "No directions were searched. Do this in the step Direction.");
   ImGui::BeginDisabled(lacks_sweep || path_[0] == 0 || !(order_.html || order_.pdf) || !state.figures.split);
   if (button(ui, "Write the report", {.width = width, .strong = true})) {
     order_.path = path_.data();

@@ -128,28 +128,28 @@ void draw_place(const PanelContext& context, const StepPlace& place) {
 
 const std::array<StepRow, 7>& step_rows() {
   static const std::array<StepRow, 7> k_rows = {{
-      {Step::part, "Part", "What the file has, its unit and the body that is molded.", part_badge,
+      {Step::part, "Part", "The file, its unit and the body that is molded.", part_badge,
        [](StepPanels&, const PanelContext& context, Pictures) { draw_part_controls(context); }},
-      {Step::direction, "Direction", "Which way the mold opens.", direction_badge,
+      {Step::direction, "Direction", "Direction in which the mold opens.", direction_badge,
        [](StepPanels& panels, const PanelContext& context, Pictures candidates) {
          draw_direction_controls(context, panels.ball);
          panels.sweep.draw(context, candidates);
        }},
-      {Step::undercuts, "Undercuts", "What the halves do not release, and what does.", undercuts_badge,
+      {Step::undercuts, "Undercuts", "Undercuts, and the side actions that release them.", undercuts_badge,
        [](StepPanels& panels, const PanelContext& context, Pictures) {
          draw_actions_panel(context, panels.actions);
        }},
-      {Step::parting_line, "Parting line", "Where the halves meet.", line_badge,
+      {Step::parting_line, "Parting line", "The parting line, along which core and cavity meet.", line_badge,
        [](StepPanels& panels, const PanelContext& context, Pictures) {
          draw_line_panel(context, panels.line);
        }},
-      {Step::draft, "Draft", "Walls that have too little draft.", draft_badge,
+      {Step::draft, "Draft", "Walls with too little draft.", draft_badge,
        [](StepPanels& panels, const PanelContext& context, Pictures) { panels.draft.draw(context); }},
-      {Step::mold, "Mold", "The halves, open and closed.", mold_badge,
+      {Step::mold, "Mold", "The mold halves, open or closed.", mold_badge,
        [](StepPanels& panels, const PanelContext& context, Pictures) {
          draw_mold_panel(context, panels.mold);
        }},
-      {Step::report, "Report", "Pictures and files of what was found.", nullptr,
+      {Step::report, "Report", "Pictures, files and the report.", nullptr,
        [](StepPanels& panels, const PanelContext& context, Pictures) { panels.report.draw(context); }},
   }};
   return k_rows;

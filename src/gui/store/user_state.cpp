@@ -77,7 +77,7 @@ std::string user_state_json(const UserState& state) {
 
 UserState parse_user_state(std::string_view text) {
   const Json json = parse_json(text);
-  if (!json.is_object()) throw UsageError("the saved window settings are no JSON object");
+  if (!json.is_object()) throw UsageError("the saved window settings are not a JSON object");
   UserState state;
   if (json.contains("settings")) set_known_options(window_options(), state.window, json["settings"]);
   if (json.contains("sweep")) set_known_options(sweep_options(), state.sweep, json["sweep"]);

@@ -105,7 +105,7 @@ std::vector<FaceFinish> finishes_in(std::string_view text, const std::string& pa
     if (is_heading) continue;
     const auto finish = parse_finish(what, rule);
     if (!finish)
-      refuse(fmt::format("{} is no finish; write polished, shut-off, texture DEPTH, draft ANGLE or none",
+      refuse(fmt::format("{} is not a finish; write polished, shut-off, texture DEPTH, draft ANGLE or none",
                          in_quotes(what)));
     if (where == "*") {
       of_others = finish;
@@ -113,8 +113,7 @@ std::vector<FaceFinish> finishes_in(std::string_view text, const std::string& pa
     }
     const auto face = number_from<std::uint32_t>(where);
     if (!face || *face >= faces.count() || faces.facets(*face).empty())
-      refuse(fmt::format("{} is no face of the part; they have the numbers that classify --faces writes",
-                         in_quotes(where)));
+      refuse(fmt::format("the part has no face {}; classify --faces writes their numbers", in_quotes(where)));
     of_face[*face] = *finish;
   }
   if (of_face.empty() && !of_others)

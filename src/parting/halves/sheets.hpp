@@ -24,11 +24,11 @@ struct MoldFault {
 
 /// What helps where the surface itself is at fault.
 inline constexpr const char* k_mend_surface =
-    "mend the surface there (--repair full), or take one of the part's bodies (--body)";
+    "repair the surface there (--repair full), or use one body of the part (--body)";
 /// What helps where rounding is.
 inline constexpr const char* k_avoid_rounding =
-    "make facets there larger or the part coarser (--repair full drops needles), take one of its bodies "
-    "(--body), or turn the direction a little";
+    "use larger facets there (--repair full drops needle-shaped ones), use one body of the part (--body), "
+    "or turn the direction a little";
 
 /// `beside`: what of `upper` and `lower` is of other bodies than the part, once more.
 enum class Sheet : std::uint8_t { upper, lower, hidden, parting, beside };

@@ -87,7 +87,7 @@ class Describer {
     if (any) section.add(std::move(table));
     if (any && closed() && style_.change(FigureKind::volume, surface.volume_elsewhere) != "0")
       section.add(
-          fmt::format("{} {} came off these places; tolerance and tessellation explain it.",
+          fmt::format("{} {} changed outside of these places, within tolerance and tessellation.",
                       with_minus(style_.change(FigureKind::volume, surface.volume_elsewhere)), volume_unit_),
           TextLook::quiet);
     for (std::size_t k = 0; k < surface.places.size(); ++k)

@@ -62,7 +62,7 @@ class MoldChangeDescriber {
                  {style_.heading("at", FigureKind::length), true}},
                 {}};
     for (const bool is_new : {true, false}) {
-      const std::vector<LineStretch>& stretches = is_new ? mold_.line.fresh : mold_.line.gone;
+      const std::vector<LineStretch>& stretches = is_new ? mold_.line.added : mold_.line.gone;
       for (std::size_t k = 0; k < std::min(stretches.size(), k_most_steel_rows); ++k) {
         const LineStretch& one = stretches[k];
         const std::string key = fmt::format("/mold/parting_line/{}/{}/", is_new ? "new" : "gone", k);

@@ -250,7 +250,7 @@ TEST(Meetings, OfLiftersAreToldAsSuch) {
   const ActionSettings settings;
   const Planned planned = plan_of(box_with_pockets({12, 60}, {{0, 25, 35, 12}, {1, 25, 35, 12}}), settings);
   EXPECT_EQ(meetings_text(planned.plan),
-            "The ways of lifters cross, and no alternative was found: rows 1 and 2.");
+            "The paths of lifters cross, and no alternative was found: rows 1 and 2.");
 }
 
 TEST(Meetings, AreNoneAtDifferentHeights) {

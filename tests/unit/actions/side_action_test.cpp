@@ -255,7 +255,7 @@ TEST(SideAction, ThatIsALifterHasRoomBeyondItsTravel) {
     if (!has_room) {
       const RejectedAction& rejected = planned.plan.rejected[0];
       EXPECT_TRUE(rejected_text(*planned.model, planned.plan)
-                      .starts_with("Refused: lifter for undercut 1 (travels 3 mm and has "))
+                      .starts_with("Refused: lifter for undercut 1 (it travels 3 mm and has "))
           << rejected_text(*planned.model, planned.plan);
       EXPECT_EQ(actions_text(planned.plan), "none") << "what cannot be built is no action";
       EXPECT_GT(planned.plan.unreleased_area, 0.9 * planned.plan.undercuts[0].undercut.area);

@@ -70,12 +70,12 @@ TEST(Headline, SaysOfTheUndercutWhatTheTableSays) {
         20.0);
     return solid.mesh();
   };
-  EXPECT_NE(comparison_verdict(compared(with_roof(6.0), with_roof(6.16), false)).find("undercut grew to"),
+  EXPECT_NE(comparison_verdict(compared(with_roof(6.0), with_roof(6.16), false)).find("Undercut grew to"),
             std::string::npos);
-  EXPECT_NE(comparison_verdict(compared(with_roof(6.16), with_roof(6.0), false)).find("undercut shrank to"),
+  EXPECT_NE(comparison_verdict(compared(with_roof(6.16), with_roof(6.0), false)).find("Undercut shrank to"),
             std::string::npos);
   const Comparison same = compared(plate_mesh({}), plate_mesh({.rib = 2.0}), false);
-  EXPECT_NE(comparison_verdict(same).find("undercut as before, 0 unit²"), std::string::npos)
+  EXPECT_NE(comparison_verdict(same).find("Undercut as before, 0 unit²"), std::string::npos)
       << comparison_verdict(same);
 }
 

@@ -55,7 +55,7 @@ TEST(SteelChange, CutsWhereARibGrows) {
   EXPECT_NEAR(place.cut->area, 6.0 * k_rib_height + 6.0 + 2.0 * k_rib_height, 0.1);
   ASSERT_EQ(place.cut->of.size(), 1U);
   EXPECT_EQ(place.cut->of.front().owner.side, MoldSide::core);
-  EXPECT_TRUE(steel.line.fresh.empty());
+  EXPECT_TRUE(steel.line.added.empty());
   EXPECT_TRUE(steel.line.gone.empty());
 }
 
@@ -82,8 +82,8 @@ TEST(SteelChange, AddsToThePinOfAHoleThatGrows) {
       (polygon_area(regular_polygon(48, 3.5)) - polygon_area(regular_polygon(48, 3.0))) * k_plate_high.z;
   EXPECT_NEAR(steel.places.front().add->volume.volume, ring, exact(signed_volume(a)));
   EXPECT_NEAR(steel.cut_less_add(), signed_volume(b) - signed_volume(a), exact(signed_volume(a)));
-  EXPECT_FALSE(steel.line.fresh.empty()) << "its shut-off is wider by a half";
-  EXPECT_NEAR(steel.line.fresh.front().farthest, 0.5, 1e-2);
+  EXPECT_FALSE(steel.line.added.empty()) << "its shut-off is wider by a half";
+  EXPECT_NEAR(steel.line.added.front().farthest, 0.5, 1e-2);
 }
 
 /// Area that two convex polygons have in common.

@@ -35,7 +35,7 @@ TEST(DirectionList, LeavesNamesCommentsAndFurtherColumnsAside) {
 
 TEST(DirectionList, NamesTheLineThatIsWrong) {
   EXPECT_EQ(error_of("0,0,1\n0,1\n"),
-            "line 2: '0,1' is no direction; write three numbers x, y, z, not all zero");
+            "line 2: '0,1' is not a direction; write three numbers x, y, z, not all zero");
   EXPECT_TRUE(error_of("0,0,1\nx,y,z\n").starts_with("line 2: "));
   EXPECT_TRUE(error_of("0,0,0\n").starts_with("line 1: "));
   EXPECT_TRUE(error_of("0,0,nan\n").starts_with("line 1: "));

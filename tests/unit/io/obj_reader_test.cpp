@@ -133,7 +133,7 @@ TEST(Obj, NamesThePlaceOfEveryFault) {
   EXPECT_EQ(read_error("a.obj", k_square + "v 1e31 0 0\n"),
             "a.obj: line 5: vertex 5 is (1e+31, 0, 0)" + again);
   EXPECT_EQ(read_error("a.obj", k_square + "w 1 2 3\n"),
-            "a.obj: line 5: 'w' is no statement of an OBJ file" + again);
+            "a.obj: line 5: 'w' is not a line of an OBJ file" + again);
   EXPECT_EQ(read_error("a.obj", k_square), "a.obj: holds no facets; export the part as a mesh of polygons");
 }
 

@@ -103,7 +103,7 @@ TEST(Ply, NamesThePlaceOfEveryFault) {
   EXPECT_EQ(read_error("a.ply", "ply\nelement vertex 1\nproperty real x\n"),
             "a.ply: line 3: expected a PLY type such as 'float', found 'real'" + again);
   EXPECT_EQ(read_error("a.ply", "ply\nvertex 1\n"),
-            "a.ply: line 2: 'vertex' is no statement of a PLY header" + again);
+            "a.ply: line 2: 'vertex' is not a line of a PLY header" + again);
   EXPECT_EQ(read_error("a.ply", "ply\nend_header\n"),
             "a.ply: line 2: the PLY header names no format" + again);
   EXPECT_EQ(read_error("a.ply", "ply\nformat ascii 1.0\n"),

@@ -152,7 +152,7 @@ TEST(MoldHalvesRefused, OfAnOpenPartTellWhereItIsOpen) {
   const std::string loop = loop_near(line, *halves.refused_at);
   const std::string text = refusal_text(*model, halves, written, loop);
   EXPECT_NE(text.find(", near "), std::string::npos) << text;
-  EXPECT_NE(text.find("at loop outer 1"), std::string::npos) << text;
+  EXPECT_NE(text.find("at outer loop 1"), std::string::npos) << text;
   EXPECT_NE(text.find("--repair full"), std::string::npos) << text;
 }
 

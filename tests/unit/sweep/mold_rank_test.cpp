@@ -71,7 +71,7 @@ TEST(MoldRank, SaysWhatDecides) {
             (std::vector<std::string>{"needs 2 lifters more, 1 slide less",
                                       "but its parting line climbs 25 % of the diagonal less"}));
   EXPECT_EQ(rank_reasons(cost({{unreleased, 0.02}}), {}),
-            (std::vector<std::string>{"leaves 2 % of the surface more that nothing releases"}));
+            (std::vector<std::string>{"leaves 2 % more of the surface unreleased"}));
   EXPECT_TRUE(rank_reasons(one, one).empty());
 }
 
@@ -165,7 +165,7 @@ TEST(MoldTrade, WorseActionsLineAndUnreleasedSurfaceAreToldEvenWithinTheBands) {
   EXPECT_EQ(mold_trade(cost({{line, 0.01}}), {}).costs,
             std::vector<std::string>{"its parting line climbs 1 % of the diagonal more"});
   EXPECT_EQ(mold_trade(cost({{unreleased, 0.002}}), {}).costs,
-            std::vector<std::string>{"leaves 0.2 % of the surface more that nothing releases"});
+            std::vector<std::string>{"leaves 0.2 % more of the surface unreleased"});
   EXPECT_TRUE(mold_trade({}, {}).costs.empty());
   EXPECT_TRUE(mold_trade(cost({{found, 1.0}}), {}).costs.empty());
 }

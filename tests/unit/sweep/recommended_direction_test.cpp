@@ -292,7 +292,7 @@ TEST(RecommendedDirection, WorthDecidesWhatIsListedBesideAnAxis) {
 TEST(RecommendedDirection, TheCoreIsInsideOfABox) {
   const BestDirection best = best_direction(test::model_of(latch()), {}, Progress{});
   EXPECT_EQ(best.direction, glm::dvec3(0, 0, 1)) << "it opens upwards";
-  EXPECT_NE(best.why.find("the core is on the side of z"), std::string::npos) << best.why;
+  EXPECT_NE(best.why.find("The core is on the side of z"), std::string::npos) << best.why;
   const glm::dquat over = glm::angleAxis(glm::radians(180.0), glm::dvec3(1, 0, 0));
   const BestDirection down = best_direction(test::model_of(test::rotated(latch(), over)), {}, Progress{});
   EXPECT_LT(glm::distance(down.direction, glm::dvec3(0, 0, -1)), 1e-12) << down.why;

@@ -42,7 +42,7 @@ class ActionsPanel(task.Panel):
         """The verdict, and a sentence on actions that meet and on bodies that hit."""
         sentences = [self.found.Verdict]
         if meet := actions.meetings(self.found):
-            sentences.append(translate("Moldlight", "Would meet on their ways: rows {}.").format(
+            sentences.append(translate("Moldlight", "The paths of these rows cross: {}.").format(
                 ", ".join(f"{one} + {other}" for one, other in meet)))
         for row, other, depth in actions.hits(self.found):
             sentences.append(translate("Moldlight", "The body of row {} reaches {} into {}.").format(

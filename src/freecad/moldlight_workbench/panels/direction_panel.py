@@ -21,7 +21,7 @@ class DirectionPanel(task.Panel):
         self.top.setValue(self.found.Top)
         line.addWidget(self.top)
         self.button(translate("Moldlight", "Find"),
-                    translate("Moldlight", "Look for the directions that leave the least undercut"), self.search, line)
+                    translate("Moldlight", "Find the directions with the least undercut"), self.search, line)
         self.layout.addLayout(line)
         self.rows = self.table([translate("Moldlight", "Direction"), translate("Moldlight", "Undercut"), "%",
                                 translate("Moldlight", "Tried as")], self.choose)

@@ -26,7 +26,7 @@ class RegionsPanel(task.Panel):
              *(words.shown(name).capitalize() for name in regions.engine().REGIONS)],
             self._choose_face)
         self.button(translate("Moldlight", "Open in moldlight"),
-                    translate("Moldlight", "The same part, direction and settings in moldlight's own window"),
+                    translate("Moldlight", "Open the part with this direction and these settings in moldlight's own window"),
                     self.open_window)
         self.refresh()
 
@@ -44,7 +44,7 @@ class RegionsPanel(task.Panel):
             button = self.button(axis.upper(), translate("Moldlight", "Along this axis of the document"),
                                  lambda axis=axis: self.apply(lambda: self._take(directions.typed(axis))), buttons)
             button.setMaximumWidth(40)
-        self.button(translate("Moldlight", "Flip"), translate("Moldlight", "The other way: core and cavity change places"),
+        self.button(translate("Moldlight", "Flip"), translate("Moldlight", "Reverse the direction: core and cavity change places"),
                     lambda: self.apply(self._flip), buttons)
         self.button(translate("Moldlight", "From selection"),
                     translate("Moldlight", "The normal of the selected face, or along the selected edge or axis"),
