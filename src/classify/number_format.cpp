@@ -1,6 +1,7 @@
 #include "classify/number_format.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -82,8 +83,10 @@ std::string sentence_of(std::string text) {
 }
 
 std::string with_minus(std::string text) {
-  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) {
-    text.replace(at, 1, "−");
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at + 1)) {
+    const bool joins = at > 0 && at + 1 < text.size() && is_letter(text[at - 1]) && is_letter(text[at + 1]);
+    if (!joins) text.replace(at, 1, "−");
   }
   return text;
 }

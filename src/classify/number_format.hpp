@@ -46,7 +46,7 @@ class FigureColumn {
 /// With a capital and a full stop; nothing of nothing.
 [[nodiscard]] std::string sentence_of(std::string text);
 
-/// With a true minus in place of every hyphen that a terminal gets.
+/// With true minuses in place of the hyphens that a terminal gets, but for hyphens between letters.
 [[nodiscard]] std::string with_minus(std::string text);
 
 /// "mm"; "unit" where the file names none.

@@ -202,7 +202,7 @@ int run_run(const RunFlags& flags, Console& console, const Progress& progress) {
       progress);
   console.set_progress_text({});
   const BatchStatus status = batch_status(manifest, {.shard = flags.shard}, Progress());
-  console.result(fmt::format("this run: {} done, {} failed, {} passed over, {:.1f} s\n", counts.done.load(),
+  console.result(fmt::format("this run: {} done, {} failed, {} skipped, {:.1f} s\n", counts.done.load(),
                              counts.failed.load(), counts.before + counts.elsewhere,
                              watch.elapsed_ms() / 1000.0) +
                  status_text(manifest, status));

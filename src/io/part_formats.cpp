@@ -70,7 +70,7 @@ bool begins_zip(const FileBeginning& file) { return file.bytes.starts_with("PK\x
 
 void refuse_threemf(const std::string& path, const FileBeginning&) {
   throw FileError(path, "byte 0",
-                  "is a damaged or cut zip archive (it does not begin as one); export the part again");
+                  "is a damaged or truncated zip archive (it does not begin as one); export the part again");
 }
 
 const PartFormat* by_extension(const std::string& extension, bool binary) {

@@ -214,7 +214,8 @@ ZipArchive::ZipArchive(const ReadContext& context)
   archive_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
   if (archive_ == nullptr) {
     zip_source_free(source);
-    context.fail("", "is a damaged or cut zip archive ({}); export the part again", zip_error_text(error));
+    context.fail("", "is a damaged or truncated zip archive ({}); export the part again",
+                 zip_error_text(error));
   }
 }
 

@@ -151,7 +151,7 @@ void ThreemfAssembler::add_uses_of_all_objects(ThreemfModel& root) {
   for (const auto& [id, object] : root.objects) {
     if (!used.contains(id)) root.items.push_back({"", id, {}, ""});
   }
-  part_.warnings.push_back("the 3MF file builds nothing; all its objects were taken as they stand");
+  part_.warnings.push_back("the 3MF file has no build items; all its objects were read");
 }
 
 void ThreemfAssembler::visit(const Visit& visit, std::vector<Visit>& pending) {

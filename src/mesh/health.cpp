@@ -231,7 +231,7 @@ std::vector<std::string> health_warnings(const HealthReport& report) {
   }
   if (report.duplicate_facets > 0) {
     warnings.push_back(
-        fmt::format("{}: their area counts twice.", plural(report.duplicate_facets, "duplicate facet")));
+        fmt::format("{}: such area counts twice.", plural(report.duplicate_facets, "duplicate facet")));
   }
   if (report.degenerate_facets > 0) {
     warnings.push_back(

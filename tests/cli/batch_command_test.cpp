@@ -20,7 +20,7 @@ TEST(Batch, ResultsAreThoseOfTheCommandItself) {
   ASSERT_EQ(parts.plan().exit_code, 0);
   const auto run = parts.batch("run");
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("this run: 3 done, 0 failed, 0 passed over"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("this run: 3 done, 0 failed, 0 skipped"), std::string::npos) << run.out;
   const auto results = parts.results();
   ASSERT_EQ(results.size(), 3u);
   for (const auto& [name, result] : results) {
@@ -33,7 +33,7 @@ TEST(Batch, ResultsAreThoseOfTheCommandItself) {
   }
   const auto again = parts.batch("run");
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_NE(again.out.find("this run: 0 done, 0 failed, 3 passed over"), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("this run: 0 done, 0 failed, 3 skipped"), std::string::npos) << again.out;
 }
 
 TEST(Batch, SweepsActionsAndMoldsAreWorkToo) {
@@ -86,9 +86,9 @@ TEST(Batch, OddNamesMissingFilesAndDuplicates) {
   EXPECT_EQ(parts.results().size(), 6u);
   EXPECT_EQ(parts.batch("run", {"--fail-on-error"}).exit_code, 3);
   // Failures are passed over until they are asked for.
-  EXPECT_NE(parts.batch("run").out.find("0 done, 0 failed, 6 passed over"), std::string::npos);
+  EXPECT_NE(parts.batch("run").out.find("0 done, 0 failed, 6 skipped"), std::string::npos);
   const auto retried = parts.batch("run", {"--retry-failed"});
-  EXPECT_NE(retried.out.find("0 done, 3 failed, 3 passed over"), std::string::npos) << retried.out;
+  EXPECT_NE(retried.out.find("0 done, 3 failed, 3 skipped"), std::string::npos) << retried.out;
   const std::string table = parts.path("all.csv");
   ASSERT_EQ(parts.batch("merge", {"--csv", table}).exit_code, 0);
   EXPECT_NE(file_bytes(table).find("parts/line\\u000Aend.off,'--unit=mm --direction=z"), std::string::npos)
@@ -111,7 +111,7 @@ TEST(Batch, AFileThatChangedAfterPlanningIsSaid) {
   ASSERT_EQ(plan.exit_code, 0) << plan.err;
   const auto again = parts.batch("run");
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_NE(again.out.find("1 done, 0 failed, 1 passed over"), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("1 done, 0 failed, 1 skipped"), std::string::npos) << again.out;
 }
 
 TEST(Batch, AFolderOfPartsThatIsNotThereIsTriedAgain) {

@@ -203,7 +203,7 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
             grouped(style.text(FigureKind::area, found.undercut.area)));
   const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
   const float at = row.min.x + ui.px(k_action_columns[2].at), room = row.max.x - ui.px(k_pin_width + 6) - at;
-  const std::string deep = found.depth > 0.0 ? "deep " + length(found.depth) : std::string();
+  const std::string deep = found.depth > 0.0 ? "depth " + length(found.depth) : std::string();
   std::vector<std::string> lines;  // below
   if (action != nullptr) {
     draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, normal}, facts(action->kind).singular, room);
@@ -212,7 +212,7 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
     lines = {
         fmt::format("{}{}travel {}", deep, deep.empty() ? "" : " · ", length(action->travel)),
         detail_text(*action, unit) + shared_text(*action, undercut) + others_text(plan, undercut, *action)};
-    if (left_over) lines.front() += " · some is left";
+    if (left_over) lines.front() += " · partly released";
   } else {
     draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, ui.colours->warning}, "none", room);
     lines =
@@ -249,7 +249,7 @@ BarNews actions_news(const AppState& state) {
   const ActionsState& actions = state.actions;
   if (actions.running || actions.awaited) {
     const bool named = actions.running && !actions.running->stage.empty();
-    return {.text = named ? actions.running->stage + " …" : "looking for side actions …",
+    return {.text = named ? actions.running->stage + " …" : "finding side actions …",
             .progress = actions.running ? actions.running->fraction : 0.0};
   }
   if (!actions.error.empty()) return {.text = actions.error, .warning = true};
@@ -257,7 +257,7 @@ BarNews actions_news(const AppState& state) {
   if (!actions.plan->undercuts.empty()) return {.text = actions_summary(state)};
   return {.text = actions.plan->specks.empty()
                       ? std::string("There is no undercut along this direction.")
-                      : "No undercut counts. " + tiny_text(speck_count(*actions.plan))};
+                      : "All undercuts are too small to count. " + tiny_text(speck_count(*actions.plan))};
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ void draw_card(const PanelContext& context, const MeasuredPair& pair, const glm:
 /// As the file numbers it.
 std::string facet_number(const AppState& state, FacetIndex facet) {
   const std::int64_t number = file_facet(state.model->part, facet);
-  return number < 0 ? "of a repair" : grouped(std::to_string(number));
+  return number < 0 ? "of a repair" : std::to_string(number);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr std::array<ListColumn, 4> k_draft_columns = {{
     {"#", "Walls that cost the most thickness come first.", 8.0F, false},
     {"formed by", "The half that forms the wall.", 36.0F, false},
     {"draft", "Least draft of the wall. Negative: reverse draft.", 164.0F, true},
-    {"takes", "Change of thickness at the far end if the wall turns about its foot, in the part's unit.",
+    {"costs", "Change of thickness at the far end if the wall turns about its foot, in the part's unit.",
      236.0F, true},
 }};
 

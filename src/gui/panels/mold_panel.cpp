@@ -69,7 +69,7 @@ void draw_height(const PanelContext& context, const RowOptions& numbers) {
   double height = parting_height(state);
   const HeightRange range = height_range(state);
   const std::string label =
-      fmt::format("{}, {}", given ? "Height" : "Height found", length_unit(state.model->part));
+      fmt::format("{}, {}", given ? "Height" : "Height (auto)", length_unit(state.model->part));
   if (number_field(ui, "parting_height", height, {label, 2, width - cross})) {
     if (height > range.low && height < range.high) {
       given = height;
@@ -187,7 +187,7 @@ void draw_halves(const PanelContext& context) {
   const float alpha = state.mold.solids_awaited ? 0.6F : 1.0F;
   const std::vector<HalvesLine> halves = halves_lines(state);
   const bool doubtful = std::ranges::any_of(halves, &HalvesLine::doubt);  // then nothing has a tick
-  constexpr std::size_t k_most_lines = 4;
+  constexpr std::size_t k_most_lines = 6;
   for (const HalvesLine& each : halves) {
     const std::vector<std::string> lines =
         lines_within(ui.fonts.small, each.text, width - ui.px(28), k_most_lines);

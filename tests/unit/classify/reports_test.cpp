@@ -37,6 +37,7 @@ TEST(Figures, LeaveRoundingErrorsOut) {
 
 TEST(Figures, GetATrueMinusOnPictures) {
   EXPECT_EQ(with_minus("-1, 2, -3.5"), "−1, 2, −3.5");
+  EXPECT_EQ(with_minus("3 shut-offs along -y, 2e-05"), "3 shut-offs along −y, 2e−05");
   EXPECT_EQ(with_minus(""), "");
 }
 

@@ -62,8 +62,9 @@ TEST(PartReader, KnowsByTheBeginningWhatIsNoPart) {
   EXPECT_EQ(error_of("zeros.obj", zeros), ": byte 0: is binary data, and OBJ is text; export the part again");
   EXPECT_EQ(error_of("note.off", "some words\x02 and more"),
             ": byte 10: is binary data, and OFF is text; export the part again");
-  EXPECT_EQ(error_of("zeros.3mf", zeros),
-            ": byte 0: is a damaged or cut zip archive (it does not begin as one); export the part again");
+  EXPECT_EQ(
+      error_of("zeros.3mf", zeros),
+      ": byte 0: is a damaged or truncated zip archive (it does not begin as one); export the part again");
   EXPECT_EQ(error_of("zeros.dat", zeros),
             ": byte 0: is not a part file: none of STL, OBJ, PLY, OFF, 3MF and STEP by content or name");
 }

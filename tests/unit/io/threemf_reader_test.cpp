@@ -196,7 +196,7 @@ TEST(Threemf, NamesThePlaceOfEveryFault) {
 TEST(Threemf, SaysWhatIsWrongWithTheArchive) {
   const std::string whole = threemf_bytes(model(object(1, k_triangle), R"(<item objectid="1"/>)"));
   EXPECT_TRUE(read_error("a.3mf", whole.substr(0, whole.size() / 2))
-                  .starts_with("a.3mf: is a damaged or cut zip archive ("));
+                  .starts_with("a.3mf: is a damaged or truncated zip archive ("));
   EXPECT_EQ(read_error("a.3mf", test::zip_bytes({{"notes.txt", "nothing"}})),
             "a.3mf: is a zip archive, but not a 3MF package; export the part again");
   std::string broken = whole;
