@@ -1,7 +1,5 @@
 #include "actions/action_figures.hpp"
 
-#include <cmath>
-
 namespace moldlight {
 
 namespace {
@@ -56,10 +54,7 @@ constexpr FigureRow<Undercut> k_undercut_sizes[] = {
 
 constexpr FigureRow<UndercutReport> k_undercut_figures[] = {
     {"formed_area", {}, Kind::area, [](const UndercutReport& u) -> Found { return u.formed_area; }},
-    {"depth", "depth", Kind::length,
-     [](const UndercutReport& u) {
-       return u.depth > 0.0 && std::isfinite(u.depth) ? Found(u.depth) : std::nullopt;
-     },
+    {"depth", "depth", Kind::length, [](const UndercutReport& u) -> Found { return u.depth; },
      "Distance across the parting direction to where the part no longer blocks it."},
 };
 

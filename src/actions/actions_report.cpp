@@ -288,7 +288,8 @@ std::string actions_csv(const ActionsReport& report) {
     const Undercut& undercut = noted.undercut;
     fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}", k + 1, undercut.area, noted.formed_area,
                    undercut.centre.x, undercut.centre.y, undercut.centre.z, undercut.size_across,
-                   undercut.size_along, noted.depth, side_name(noted.core_side));
+                   undercut.size_along, noted.depth ? real_text(*noted.depth) : "",
+                   side_name(noted.core_side));
     if (const SideAction* action = action_of(report.plan, k)) {
       fmt::format_to(out, ",{},{},{},{},{}\n", facts(action->kind).name, action->direction.x,
                      action->direction.y, action->direction.z, action->travel);

@@ -372,7 +372,9 @@ class Finder {
       place(k, noted);
       const SideAction* action = action_of(plan, k);
       if (action != nullptr) {
-        noted.depth = action->travel - (is_slide(action->kind) ? settings_.clearance_mm * unit_per_mm_ : 0.0);
+        const double depth =
+            action->travel - (is_slide(action->kind) ? settings_.clearance_mm * unit_per_mm_ : 0.0);
+        if (std::isfinite(depth)) noted.depth = depth;
         noted.core_side = action->core_side;
       }
     }

@@ -97,10 +97,10 @@ struct RejectedAction {
 /// An undercut and what was found out about it.
 struct UndercutReport {
   Undercut undercut;
-  double formed_area = 0.0;        // with the surface beside it, up to creases, that the same action can form
-  double depth = 0.0;              // least distance across d to where the part is not in the way along d
-  bool core_side = true;           // from which it is nearer
-  std::vector<FacetIndex> formed;  // facets that the action forms with it, wholly, rising
+  double formed_area = 0.0;     // with the surface beside it, up to creases, that the same action can form
+  std::optional<double> depth;  // distance across d at which the part is clear; none if nothing releases it
+  bool core_side = true;        // from which it is nearer
+  std::vector<FacetIndex> formed;      // facets that the action forms with it, wholly, rising
   std::vector<FacetIndex> blocked_by;  // facets that hide it, the most frequent first
   glm::dvec3 point{0.0};               // on it, by which a pin finds it again
   bool closed_void = false;            // without an opening: no mold forms it

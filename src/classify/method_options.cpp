@@ -52,11 +52,11 @@ std::span<const Option<ReadOptions>> reading_options() {
       k_weld_share);
   static const std::vector<Option<S>> k_options = {
       {"unit", "--unit", "Unit", "",
-       "Unit of a file that states none, such as mm or in. Any other file is converted to it.",
+       "Unit of a file that states none; um, dm and ft are possible, too. Any other file is converted to it.",
        TextKind<S>{"UNIT",
                    [](const S& s) { return s.unit; },
                    [](S& s, std::string_view text) { s.unit = text; },
-                   {"mm", "cm", "m", "in", "um", "dm", "ft"}}},
+                   {"mm", "cm", "m", "in"}}},
       {"body", "--body", "Body", "",
        "Use only this body of the file, by its name or by its number in the list of moldlight info.",
        TextKind<S>{"N|NAME|all", [](const S& s) { return s.body; },

@@ -99,13 +99,18 @@ const std::vector<CommandExample>& command_examples() {
        "moldlight batch plan parts -o results -- classify -d best"},
       {"batch run", "Work until all is done, four parts at a time",
        "moldlight batch run results --processes 4"},
+      {"batch status", "Count the parts that are done, failed and left", "moldlight batch status results"},
       {"batch merge", "Collect the results in one table", "moldlight batch merge results --csv results.csv"},
+      {"doctor", "Check drivers and helper programs after an installation", "moldlight doctor"},
       {"manual", "Completion of commands and flags in bash", "source <(moldlight manual --form bash)"}};
   return k_examples;
 }
 
 void arrange_help(CLI::App& program) {
   for (CLI::Option* option : program.get_options()) option->group("Program");
+  program.footer(
+      "\nmoldlight help COMMAND prints the flags of a command. moldlight version prints the version.\n"
+      "moldlight PART opens the window with a part.");
   for (CLI::App* command : program.get_subcommands(nullptr)) arrange(*command, command->get_name());
 }
 

@@ -1,5 +1,4 @@
 // The report of a comparison as JSON.
-#include <cmath>
 #include <iterator>
 
 #include <nlohmann/json.hpp>
@@ -97,7 +96,7 @@ Json changed_regions_json(const SurfaceChange& surface) {
 Json undercut_json(const UndercutReport& report) {
   const Undercut& undercut = report.undercut;
   return {{"area", undercut.area},
-          {"depth", std::isfinite(report.depth) ? Json(report.depth) : Json()},
+          {"depth", report.depth ? Json(*report.depth) : Json()},
           {"centre", point_json(undercut.centre)},
           {"size_across", undercut.size_across},
           {"size_along", undercut.size_along}};

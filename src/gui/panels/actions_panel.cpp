@@ -203,7 +203,7 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
             grouped(style.text(FigureKind::area, found.undercut.area)));
   const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
   const float at = row.min.x + ui.px(k_action_columns[2].at), room = row.max.x - ui.px(k_pin_width + 6) - at;
-  const std::string deep = found.depth > 0.0 ? "depth " + length(found.depth) : std::string();
+  const std::string deep = found.depth ? "depth " + length(*found.depth) : std::string();
   std::vector<std::string> lines;  // below
   if (action != nullptr) {
     draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, normal}, facts(action->kind).singular, room);

@@ -217,12 +217,13 @@ void draw_next(const PanelContext& context, const VerdictCard& card) {
   const SweepState& sweep = context.state.sweep;
   const auto better = std::ranges::find_if(sweep.cards, &DirectionCard::offered);
   if (card.verdict->state == VerdictState::unknown) {
-    if (wide("Repair: see the part", "verdict repair")) context.edits.enter(Step::part);
+    if (wide("Show the faults of the mesh", "verdict repair")) context.edits.enter(Step::part);
   } else if (better != sweep.cards.end() && !sweep.stale) {
     if (wide(fmt::format("Go to {}", with_minus(better->name)), "verdict go"))
       context.edits.ask(&Commands::fly_to_direction, better->direction);
   } else if (card.verdict->undercuts + card.verdict->specks > 0) {
-    if (wide("Show", "verdict show")) show_undercuts(context);
+    if (wide(card.verdict->undercuts > 0 ? "Show the undercuts" : "Show the marks", "verdict show"))
+      show_undercuts(context);
   }
 }
 

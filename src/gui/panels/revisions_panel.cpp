@@ -87,8 +87,7 @@ class Texts {
   [[nodiscard]] RowTexts of_undercut(const MatchedChange& change) const {
     RowTexts texts;
     const auto depth = [&](const UndercutReport& undercut) {
-      return undercut.depth > 0.0 && std::isfinite(undercut.depth) ? grouped(lengths_.text(undercut.depth))
-                                                                   : "–";
+      return undercut.depth ? grouped(lengths_.text(*undercut.depth)) : "–";
     };
     const auto undercut = [&](const ComparedPart& part, std::size_t number, std::string& area) {
       const UndercutReport& one = part.plan->undercuts[number];

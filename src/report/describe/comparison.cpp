@@ -127,9 +127,9 @@ class Describer {
                                : Value{"–"};
       };
       const auto depth = [&](const UndercutReport* side, const char* name) {
-        if (side == nullptr || !std::isfinite(side->depth)) return Value{"–"};
+        if (side == nullptr || !side->depth) return Value{"–"};
         return number(style_, FigureKind::length, fmt::format("/undercuts/{}/{}/depth", k, name),
-                      side->depth);
+                      *side->depth);
       };
       Row row{{{std::string(change_name(one.kind))},
                size(was, "a"),

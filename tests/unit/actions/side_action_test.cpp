@@ -56,7 +56,7 @@ TEST(SideHole, InOneDirectionOnlyIfBlind) {
   EXPECT_GT(planned.plan.actions[0].direction.x, 1.0 - 1e-9);
   EXPECT_EQ(planned.plan.undercuts.size(), 1U);
   EXPECT_FALSE(planned.plan.undercuts[0].blocked_by.empty());
-  EXPECT_NEAR(planned.plan.undercuts[0].depth, 14.0, 0.02);
+  EXPECT_NEAR(planned.plan.undercuts[0].depth.value(), 14.0, 0.02);
   EXPECT_NEAR(planned.plan.undercuts[0].formed_area, planned.plan.undercuts[0].undercut.area, 1e-6);
 }
 
