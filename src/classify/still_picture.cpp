@@ -15,6 +15,7 @@
 #include "gl/objects.hpp"
 #include "mold/direction.hpp"
 #include "mold/exact/exact_regions.hpp"
+#include "picture/callouts.hpp"
 #include "picture/legend.hpp"
 #include "render/view_geometry.hpp"
 
@@ -222,6 +223,30 @@ void label_arrows(Canvas& canvas, const DrawnPart& part, const std::array<ViewAr
   }
 }
 
+/// Of a place that is this much behind the surface there, the surface is not what is seen; unit frame.
+constexpr double k_seen_within = 0.004;
+
+/// Numbers where their places are in the picture.
+std::vector<Callout> placed(const DrawnPart& part, std::span<const StillCallout> callouts,
+                            const UnitFrame& frame) {
+  std::vector<Callout> found;
+  for (const StillCallout& callout : callouts) {
+    std::optional<Callout> first;
+    for (const glm::dvec3& place : callout.places) {
+      const glm::dvec3 point(frame.to_unit(place));
+      const auto pixel = project(part.camera, part.size, point);
+      if (!pixel || !holds({glm::dvec2(0.0), glm::dvec2(part.size)}, *pixel)) continue;
+      const auto seen = part.view.pick(glm::ivec2(*pixel));
+      const double before =
+          seen ? glm::dot(glm::dvec3(seen->position) - point, part.camera.toward_viewer()) : 0.0;
+      if (!first || before < k_seen_within) first = Callout{*pixel, callout.text, before >= k_seen_within};
+      if (!first->hidden) break;
+    }
+    if (first) found.push_back(*first);
+  }
+  return found;
+}
+
 }  // namespace
 
 void validate(const StillSettings& settings) {
@@ -279,6 +304,7 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
   if (look.arrows && settings.focus.empty()) beyond = {glm::vec3(arrows[0].tip), glm::vec3(arrows[1].tip)};
   const ShownBodies shown(bodies, model_->frame);
   view_.set_bodies(shown.bodies);
+  view_.set_tube(settings.line, settings.lit_line);
   for (const auto& [near, far] : shown.extents) {
     beyond.push_back(near);
     beyond.push_back(far);
@@ -302,6 +328,11 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
         0.5 * (glm::dvec3(shown.extents[k].first) + glm::dvec3(shown.extents[k].second));
     if (const auto pixel = project(camera, size, middle)) draw_tag(canvas, *pixel, bodies[k].label, style);
   }
+  if (const auto middle = project(camera, size, glm::dvec3(0.0)))
+    draw_callouts(canvas, placed({view_, camera, size}, settings.callouts, model_->frame), *middle, style);
+  if (settings.scale_bar)
+    draw_scale_bar(canvas, model_->frame.diagonal * pixel_length(camera, size), length_unit(model_->part),
+                   style);
   if (places.legend) draw_legend(canvas, places.legend->corner, content, style);
   return canvas.image();
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,6 +30,13 @@ enum class PictureView : std::uint8_t { automatic, isometric, front, back, left,
 
 inline constexpr int k_least_picture_px = 16, k_most_picture_px = 16384;  // along a side
 
+/// A number that names a place of the part: the first of `places` (in its unit, one at least) that is seen.
+struct StillCallout {
+  std::string text;
+  std::vector<glm::dvec3> places;
+  glm::dvec3 normal{0.0};  // of the surface at the first place; zero at an edge
+};
+
 struct StillSettings {
   glm::ivec2 size{1600, 1000};  // pixels, in that range each
   PictureView view = PictureView::automatic;
@@ -38,6 +46,10 @@ struct StillSettings {
   std::optional<glm::dquat> seen_from = {};  // orientation of the camera of an automatic view
   Backdrop backdrop = Backdrop::gradient;
   std::vector<glm::vec3> focus = {};  // unit frame: what the picture is to hold; empty: all of the part
+  std::vector<StillCallout> callouts = {};
+  bool scale_bar = false;  // of the plane through what the camera looks at
+  /// Lines over the part, unit frame, and what of them is lit.
+  std::vector<ViewSegment> line = {}, lit_line = {};
 };
 
 /// For help and command line: view and theme.

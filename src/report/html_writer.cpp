@@ -242,7 +242,10 @@ std::string view_html(const Report& report) {
     html +=
         "<canvas tabindex=\"0\" hidden aria-label=\"The part in three dimensions: drag or arrow keys turn "
         "it, the wheel zooms once it is clicked\"></canvas>"
-        "<div class=\"tags\" hidden><span>+d · core</span><span>−d · cavity</span></div>";
+        "<div class=\"tags\" hidden><span>+d · core</span><span>−d · cavity</span>";
+    for (const ViewCallout& callout : report.view->callouts)
+      html += fmt::format("<span class=\"number\">{}</span>", html_text(callout.text));
+    html += "</div>";
     if (report.live) html += live_stage_html(*report.live);
   }
   html += "</div>\n";

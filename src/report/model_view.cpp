@@ -82,6 +82,10 @@ Json packed(const ModelView& view) {
   json["direction"] = point_json(view.direction);
   json["to_viewer"] = point_json(view.to_viewer);
   json["opened"] = view.opened;
+  json["callouts"] = Json::array();
+  for (const ViewCallout& callout : view.callouts)
+    json["callouts"].push_back({{"place", point_json((callout.place - view.centre) / view.diagonal)},
+                                {"normal", point_json(callout.normal)}});
   PackedBytes bytes;
   json["surfaces"] = Json::array();
   for (const ViewSurface& surface : view.surfaces)

@@ -42,10 +42,17 @@ struct ViewLine {
   std::uint16_t group = 0;
 };
 
+/// A number at a place of the surface, shown from where the surface there faces; `normal` unit.
+struct ViewCallout {
+  std::string text;
+  glm::dvec3 place{0.0}, normal{0, 0, 1};
+};
+
 struct ModelView {
   std::vector<ViewGroup> groups;
   std::vector<ViewSurface> surfaces;
   std::vector<ViewLine> lines;
+  std::vector<ViewCallout> callouts = {};
   glm::dvec3 centre{0.0};         // of the part
   double diagonal = 1.0;          // of it
   glm::dvec3 direction{0, 0, 1};  // unit; upward

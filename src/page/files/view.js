@@ -120,10 +120,12 @@ class View {
       lines(buffer, still, ink, kind === "LINES" ? Math.round(ratio) : 0, kind);
     for (const motion of this.arrows) lines(this.arrow, motion, [grey, grey, grey, 1], Math.round(ratio));
     this.over?.(camera, {ratio, dark});
-    this.tips.forEach((tip, k) => {
-      const [left, top] = this.onScreen(tip), tag = this.tags.children[k];
+    // Names of the arrows, and numbers of what tables list, on surface that faces here.
+    [...this.tips.map((place) => ({place})), ...model.callouts].forEach(({place, normal}, k) => {
+      const [left, top] = this.onScreen(place), tag = this.tags.children[k];
       Object.assign(tag.style, {left: left + "px", top: top + "px"});
-      tag.hidden = left < 20 || top < 8 || left > box.width - 20 || top > box.height - 8;
+      tag.hidden = left < 20 || top < 8 || left > box.width - 20 || top > box.height - 8
+        || Boolean(normal && (this.byMaps || dot(normal, minus(camera.eye, place)) < 0));
     });
   }
   // From the eye through a place of the picture, which is given from its upper left corner.

@@ -37,13 +37,14 @@ void add_pages(const ReportContext& context, Study& study, Report& report) {
   const Undercuts found = find_undercuts(model, *result.split, exact_query(model, result.query()),
                                          context.progress, study.questions().actions.least_travel_mm);
   Illustrator pictures(context, result);
-  report.still = {pictures.whole(), {}, "The part in the colours of its regions", view_caption()};
-  report.view = region_view(context, result, pictures.to_viewer());
+  std::vector<const Undercut*> undercuts;
+  for (const Undercut& undercut : found.counted) undercuts.push_back(&undercut);
+  const std::vector<StillCallout> callouts = undercut_callouts(*result.split, undercuts);
+  report.still = {pictures.whole(callouts), {}, "The part in the colours of its regions", view_caption()};
+  report.view = region_view(context, result, pictures.to_viewer(), callouts);
   add_live(context, result, {{with_minus(direction_words(result.direction)), result.direction, result.areas}},
            report);
-  if (!found.counted.empty()) {
-    std::vector<const Undercut*> undercuts;
-    for (const Undercut& undercut : found.counted) undercuts.push_back(&undercut);
+  if (!undercuts.empty()) {
     Section section{"Undercuts", {}};
     section.add(undercut_table(context, pictures, undercuts, totals_of(found)));
     report.sections.push_back(std::move(section));
@@ -158,7 +159,7 @@ void show_best(const ReportContext& context, const SweepResult& result, Report& 
   const Classification split =
       classify_exact(model, best.classification.query(), Progress(&context.progress), true);
   Illustrator pictures(context, split);
-  report.still = {pictures.whole(), {}, "The part with its best parting direction", view_caption()};
+  report.still = {pictures.whole({}), {}, "The part with its best parting direction", view_caption()};
   report.view = region_view(context, split, pictures.to_viewer());
   if (!context.live) return;
   std::vector<LiveDirection> known;

@@ -17,7 +17,7 @@ namespace moldlight::report {
 namespace {
 
 constexpr glm::ivec2 k_mold_px(1280, 800);
-constexpr std::size_t k_most_loops = 40;
+constexpr std::size_t k_most_loops = 40, k_most_pictured_loops = 12;
 
 Region region_of(MoldSide side) {
   return side == MoldSide::core ? Region::core : side == MoldSide::cavity ? Region::cavity : Region::undercut;
@@ -44,12 +44,27 @@ Section sides_section(const ReportContext& context, const MoldReport& found) {
   return section;
 }
 
-Section line_section(const MoldReport& found) {
+/// The part as its halves and side actions form it.
+Classification formed_part(const Assignment& assignment) {
+  Classification shown;
+  shown.direction = assignment.direction;
+  shown.total_area = assignment.total_area;
+  auto split = std::make_shared<SplitMesh>(assignment.mesh);
+  for (std::size_t k = 0; k < split->pieces.size(); ++k)
+    split->pieces[k].region = region_of(assignment.sides[k]);
+  shown.split = std::move(split);
+  return shown;
+}
+
+Section line_section(const ReportContext& context, const MoldReport& found) {
   const PartingLine& line = found.line;
   const FigureStyle style(found.model);
+  const Classification formed = formed_part(found.assignment);
+  Illustrator pictures(context, formed);
   Section section{"Parting line", {}};
   section.add(parting_verdict(found.assignment, line, found.model));
   Table table{{{"#"}, {"loop", true}}, {}};
+  std::vector<std::size_t> listed;
   add_columns(style, loop_figures(), table);
   const double tolerance = lateral_tolerance(found.query.method, found.model.frame.diagonal);
   std::size_t tiny = 0;
@@ -58,10 +73,23 @@ Section line_section(const MoldReport& found) {
     if (line.loops[k].tiny(tolerance) || table.rows.size() == k_most_loops) continue;
     Row row{{{fmt::format("{}", k + 1)}, {std::string(loop_name(line.loops[k].kind))}}};
     add_cells(style, found_figures(loop_figures(), line.loops[k]), fmt::format("/loops/{}", k), row);
+    if (listed.size() < k_most_pictured_loops) {
+      row.picture = pictures.loop(line, k);
+      row.picture_text = fmt::format("Loop {}", k + 1);
+    }
+    listed.push_back(k);
     table.rows.push_back(std::move(row));
   }
   if (line.loops.size() - tiny > k_most_loops) table.rest = fmt::format("… {} in all.", line.loops.size());
   table.tiny = tiny_text(tiny);
+  if (context.drawn() && !listed.empty()) {
+    Pictures overview;
+    overview.pictures.push_back({pictures.line(line, loop_callouts(line, listed)),
+                                 {},
+                                 "The part with the loops of its parting line",
+                                 "Numbers are those of the table."});
+    section.add(std::move(overview));
+  }
   if (!line.loops.empty()) section.add(std::move(table));
   return section;
 }
@@ -201,7 +229,7 @@ Report mold_report(const ReportContext& context, Study& study) {
     report.view = mold_view(context, found);
   }
   report.sections.push_back(sides_section(context, found));
-  report.sections.push_back(line_section(found));
+  report.sections.push_back(line_section(context, found));
   report.sections.push_back(halves_section(found, context.drawn()));
   if (found.plan != nullptr && !found.plan->actions.empty())
     report.sections.push_back(insert_actions_section(found));

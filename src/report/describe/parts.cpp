@@ -346,8 +346,8 @@ std::string view_caption() {
          "too.";
 }
 
-ModelView region_view(const ReportContext& context, const Classification& result,
-                      const glm::dvec3& to_viewer) {
+ModelView region_view(const ReportContext& context, const Classification& result, const glm::dvec3& to_viewer,
+                      std::span<const StillCallout> callouts) {
   const PartModel& model = *context.model;
   const FigureStyle style(model);
   ModelView view;
@@ -367,6 +367,8 @@ ModelView region_view(const ReportContext& context, const Classification& result
     group.shift = way * k_mold_travel * view.diagonal * result.direction;
     view.groups.push_back(std::move(group));
   }
+  for (const StillCallout& callout : callouts)
+    view.callouts.push_back({callout.text, callout.places.front(), callout.normal});
   ViewSurface surface{piece_mesh(*result.split), {}};
   for (const SplitPiece& piece : result.split->pieces)
     surface.group_of_facet.push_back(static_cast<std::uint16_t>(piece.region));

@@ -8,6 +8,8 @@
 #include "actions/action_figures.hpp"
 #include "classify/json.hpp"
 #include "classify/number_format.hpp"
+#include "classify/still_picture.hpp"
+#include "parting/loops.hpp"
 #include "report/describe/describe.hpp"
 
 namespace moldlight::report {
@@ -67,21 +69,34 @@ class Illustrator {
  public:
   Illustrator(const ReportContext& context, const Classification& result);
 
-  /// The part from where its undercuts are seen best.
-  [[nodiscard]] Image whole(std::span<const StillBody> bodies = {});
+  /// The part from where its undercuts are seen best, with its scale.
+  [[nodiscard]] Image whole(std::vector<StillCallout> callouts, std::span<const StillBody> bodies = {});
   /// And from the other side.
   [[nodiscard]] Image from_behind();
-  /// An undercut, from where most of it is seen.
+  /// An undercut, the only one in red, from where most of it is seen.
   [[nodiscard]] Image undercut(const Undercut& undercut);
+  /// The part with its parting line; and a loop of it, lit, from where most of it is seen.
+  [[nodiscard]] Image line(const PartingLine& line, std::vector<StillCallout> callouts);
+  [[nodiscard]] Image loop(const PartingLine& line, std::size_t number);
   /// Towards the viewer of whole(), unit; of what is drawn.
   [[nodiscard]] glm::dvec3 to_viewer() const;
 
  private:
+  StillSettings close_up(std::span<const std::uint32_t> pieces, SplitMesh& alone) const;
+
   const ReportContext* context_;
   const Classification* result_;
   std::optional<StillPainter> painter_;  // none for a text
   glm::dquat seen_from_ = {};
 };
+
+/// Numbers of the table's first rows, at surface of their undercuts.
+[[nodiscard]] std::vector<StillCallout> undercut_callouts(const SplitMesh& split,
+                                                          std::span<const Undercut* const> undercuts);
+
+/// Numbers of these loops, on them.
+[[nodiscard]] std::vector<StillCallout> loop_callouts(const PartingLine& line,
+                                                      std::span<const std::size_t> loops);
 
 /// A table of undercuts, the largest with a picture each; `totals` has what is too small to be one.
 [[nodiscard]] Table undercut_table(const ReportContext& context, Illustrator& pictures,
@@ -97,7 +112,7 @@ class Illustrator {
 /// The part for a page's view, its facets in the groups of the regions; opened, core and cavity surface come
 /// apart.
 [[nodiscard]] ModelView region_view(const ReportContext& context, const Classification& result,
-                                    const glm::dvec3& to_viewer);
+                                    const glm::dvec3& to_viewer, std::span<const StillCallout> callouts = {});
 
 /// How the view is used.
 [[nodiscard]] std::string view_caption();

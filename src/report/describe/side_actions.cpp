@@ -80,11 +80,15 @@ Section changes_section(const ActionsReport& found) {
   return section;
 }
 
-Section undercuts_section(const ReportContext& context, Illustrator& pictures, const ActionPlan& plan) {
+std::vector<const Undercut*> undercuts_of(const ActionPlan& plan) {
   std::vector<const Undercut*> undercuts;
   for (const UndercutReport& one : plan.undercuts) undercuts.push_back(&one.undercut);
+  return undercuts;
+}
+
+Section undercuts_section(const ReportContext& context, Illustrator& pictures, const ActionPlan& plan) {
   const FigureStyle style(*context.model);
-  Table table = undercut_table(context, pictures, undercuts, undercut_totals(plan), "/undercuts");
+  Table table = undercut_table(context, pictures, undercuts_of(plan), undercut_totals(plan), "/undercuts");
   add_columns(style, undercut_figures(), table);
   table.columns.push_back({"released by", true});
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
@@ -99,10 +103,10 @@ Section undercuts_section(const ReportContext& context, Illustrator& pictures, c
 }
 
 /// The part in the colours of what forms it, and the bodies of the actions, each pulled as far as it goes.
-ModelView actions_view(const ReportContext& context, const ActionsReport& found,
-                       const glm::dvec3& to_viewer) {
+ModelView actions_view(const ReportContext& context, const ActionsReport& found, const glm::dvec3& to_viewer,
+                       std::span<const StillCallout> callouts) {
   const ActionPlan& plan = found.plan;
-  ModelView view = region_view(context, found.result, to_viewer);
+  ModelView view = region_view(context, found.result, to_viewer, callouts);
   view.opens = "Pull the side actions";
   view.opened = plan.actions.empty() ? 0.0 : 1.0;
   for (ViewGroup& group : view.groups) group.shift = glm::dvec3(0.0);
@@ -192,8 +196,10 @@ Report actions_report(const ReportContext& context, Study& study) {
   Illustrator pictures(context, found.result);
   if (context.drawn()) {
     const std::vector<StillBody> bodies = pulled_bodies(found);
-    report.still = {pictures.whole(bodies), {}, "The part with its side actions, pulled out", view_caption()};
-    report.view = actions_view(context, found, pictures.to_viewer());
+    const std::vector<StillCallout> callouts = undercut_callouts(*found.result.split, undercuts_of(plan));
+    report.still = {
+        pictures.whole(callouts, bodies), {}, "The part with its side actions, pulled out", view_caption()};
+    report.view = actions_view(context, found, pictures.to_viewer(), callouts);
   }
   report.sections.push_back(plan_section(found));
   if (!plan.actions.empty())
