@@ -2,12 +2,16 @@
 const texels = {RGBA8: ["RGBA", "UNSIGNED_BYTE"], R8UI: ["RED_INTEGER", "UNSIGNED_BYTE"],
   R32UI: ["RED_INTEGER", "UNSIGNED_INT"], RGBA32UI: ["RGBA_INTEGER", "UNSIGNED_INT"], RGBA32F: ["RGBA", "FLOAT"]};
 
+function rendererName() {
+  const gl = document.createElement("canvas").getContext("webgl2"), info = gl?.getExtension("WEBGL_debug_renderer_info");
+  return gl ? gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER) : "";
+}
+
 class Tools {
   constructor(canvas, live) {
-    const wish = {antialias: true, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: true};
-    // Where the processor draws, smooth edges cost as much as the rest.
-    this.gl = canvas.getContext("webgl2", {...wish, failIfMajorPerformanceCaveat: live}) ??
-      canvas.getContext("webgl2", {...wish, antialias: false});
+    // Where the processor draws, smooth edges cost as much as the rest: too much for a picture that moves.
+    const antialias = !live || !/swiftshader|llvmpipe|softpipe|software|basic render/i.test(rendererName());
+    this.gl = canvas.getContext("webgl2", {antialias, preserveDrawingBuffer: true});
     if (!this.gl) throw new Error("no WebGL 2");
     const {FLOAT, FLOAT_VEC2, FLOAT_VEC3, FLOAT_VEC4, UNSIGNED_INT} = this.gl;
     this.shaders = pageData("shaders");
@@ -40,8 +44,8 @@ class Tools {
     }
     return {program, set};
   }
-  // Where a pass draws, and what it tests, mixes and culls.
-  begin({target = null, place = [0, 0], size, depth = "LESS", blend = false, cull = ""}) {
+  // Where a pass draws, and what it tests and mixes.
+  begin({target = null, place = [0, 0], size, depth = "LESS", blend = false}) {
     const {gl} = this, set = (what, on) => gl[on ? "enable" : "disable"](gl[what]);
     gl.bindFramebuffer(gl.FRAMEBUFFER, target);
     gl.viewport(...place, ...size);
@@ -49,8 +53,6 @@ class Tools {
     if (depth) gl.depthFunc(gl[depth]);
     set("BLEND", blend);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    set("CULL_FACE", cull);
-    if (cull) gl.cullFace(gl[cull]);
   }
   // Vertices with so many numbers an attribute; whole ones where that is negative.
   buffer(numbers, layout) {

@@ -35,7 +35,7 @@ class LiveMaps {
     }
     Object.assign(this, {tools, gl: tools.gl, live, mesh, sides, sizes: {}, closed: !opposite.includes(-1),
       half: boxed(places, 6)[1], surface: tools.buffer(places, [3, 3]), strips: tools.buffer(floats, [3, 3, -2]),
-      classes: new Uint8Array(rows * rowLength), classTexels: tools.texture("R8UI", rowLength, rows, null),
+      planes, list: new Uint32Array(3 * facets), classes: new Uint8Array(rows * rowLength), classTexels: tools.texture("R8UI", rowLength, rows, null),
       planeTexels: tools.texture("RGBA32F", rowLength, rows, planes)});
     for (const name of ["facet_map", "strip_map", "samples", "live_surface"]) this[name] = tools.program(name);
     this.addSamples(places);
@@ -90,16 +90,27 @@ class LiveMaps {
       u_map_scale: scale, u_lateral: Math.max(lateral, 0.71 * texel), t_facet_class: this.classTexels,
       t_planes: this.planeTexels};
     for (const [layer, u_side] of [[0, 1], [1, -1]]) {
-      const pass = {target: targets[layer], size: [resolution, resolution]};
-      tools.begin({...pass, cull: u_side > 0 ? "FRONT" : "BACK"});
+      tools.begin({target: targets[layer], size: [resolution, resolution]});
       gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
       gl.clearBufferfv(gl.DEPTH, 0, [1]);
-      tools.draw(this.facet_map, {...this.asked, u_side}, this.surface);
-      tools.begin(pass);
+      // Each map has the facets that face away from its light.
+      const away = this.facing(scaled(direction, -u_side), 0);
+      tools.draw(this.facet_map, {...this.asked, u_side}, this.surface, "TRIANGLES", away);
       const uniforms = {...this.asked, u_side, u_half_width: 0.5 * thickness * texel};
       if (thickness > 0) tools.draw(this.strip_map, uniforms, this.strips, "TRIANGLES", this.contour(1 - layer));
     }
     this.asked.t_maps = maps;
+  }
+  // Corners of the facets that face a point, or, where `near` is 0, a direction. Where the processor draws, corners cost
+  // as much as pixels.
+  facing([x, y, z], near) {
+    const {planes, list, mesh: {facets}} = this;
+    let count = 0;
+    for (let f = 0; f < facets; ++f) {
+      if (planes[4 * f] * x + planes[4 * f + 1] * y + planes[4 * f + 2] * z <= near * planes[4 * f + 3]) continue;
+      for (let k = 3 * f; k < 3 * f + 3; ++k) list[count++] = k;
+    }
+    return list.subarray(0, count);
   }
   // Corners of the strips that have a facet of this class on one side alone.
   contour(away) {
@@ -121,14 +132,16 @@ class LiveMaps {
       ++sums[settle && verdicts[k] > 3 ? settle(numbers[k + 3], floats.subarray(k, k + 3)) : verdicts[k] & 3];
     return regionBits.map((bits) => this.total * sums[bits] / samples);
   }
-  // The part, each region that is wanted in its colour: where it stands, or all of it where the first one does.
-  surfaces(groups, motions, lit, wanted) {
+  // The part, each region that is wanted in its colour: where it stands, or all of it where the first one does. `outside`:
+  // it is seen from outside alone.
+  surfaces(groups, motions, lit, wanted, outside) {
+    const seen = outside ? this.facing(lit.u_eye, 1) : null;
     const bits = regionBits.map((bit, k) => wanted(groups[k], k) ? 1 << bit : 0);
     const u_colours = [3, 0, 1, 2].flatMap((k) => scaled(groups[k].colour, 1 / 255));  // by accessibility bits
     const passes = motions.length > 1 ? bits : [bits.reduce((all, bit) => all | bit)];
     passes.forEach((u_regions, k) => {
       const uniforms = {...lit, ...this.asked, u_motion: motions[k], u_regions, u_colours};
-      if (u_regions) this.tools.draw(this.live_surface, uniforms, this.surface);
+      if (u_regions) this.tools.draw(this.live_surface, uniforms, this.surface, "TRIANGLES", seen);
     });
   }
 }

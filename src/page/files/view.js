@@ -76,8 +76,8 @@ class View {
     const camera = this.seen = {...this.camera(motions, stood), box}, opaque = 1 - this.clear;
     const common = {u_clip: camera.clip, u_eye: camera.eye, u_up: this.up, u_cut: this.section(stood), u_nudge: [0, 0]};
     const whole = Boolean(this.opened || this.plane || this.clear || shown.includes(false));
-    const cull = this.byMaps && !whole && this.live.closed ? "BACK" : "", size = [width, height];
-    tools.begin({size, cull});
+    const outside = this.byMaps && !whole && this.live.closed, size = [width, height];
+    tools.begin({size});
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const each = (act) => shapes.forEach((shape, k) => { if (shown[k]) act(shape, model.groups[k], motions[k]); });
@@ -85,7 +85,7 @@ class View {
       const lit = {...common, u_alpha, u_lift: 0};
       if (this.byMaps) {
         this.live.surfaces(model.groups, this.opened > 0 ? motions : motions.slice(0, 1), {...lit, u_hatch: ratio},
-          (group, k) => shown[k] && (whole ? group.opaque === wanted : !wanted));
+          (group, k) => shown[k] && (whole ? group.opaque === wanted : !wanted), outside);
       } else each((shape, group, u_motion) => {
         if (group.opaque !== wanted) return;
         const u_colour = scaled(group.colour, 1 / 255), u_hatch = group.hatched ? ratio : 0;
@@ -105,7 +105,7 @@ class View {
       surfaces(false, 1);
       gl.colorMask(true, true, true, true);
     }
-    tools.begin({size, depth: opaque < 1 ? "LEQUAL" : "LESS", blend: opaque < 1, cull});
+    tools.begin({size, depth: opaque < 1 ? "LEQUAL" : "LESS", blend: opaque < 1});
     surfaces(false, opaque);
     tools.begin({size, depth: "LEQUAL", blend: true});
     shapes.forEach((shape, k) => {

@@ -130,20 +130,20 @@ std::vector<StillCallout> undercut_callouts(const SplitMesh& split,
                                             std::span<const Undercut* const> undercuts) {
   std::vector<StillCallout> callouts;
   for (std::size_t k = 0; k < std::min(undercuts.size(), k_most_callouts); ++k) {
-    struct Place {
+    struct Spot {
       glm::dvec3 middle, across;  // as long as twice the area
     };
-    std::vector<Place> places;
+    std::vector<Spot> places;
     for (const std::uint32_t piece : undercuts[k]->pieces) {
       const auto& [a, b, c] = split.pieces[piece].corners;
       const glm::dvec3 &p = split.vertices[a], &q = split.vertices[b], &r = split.vertices[c];
       places.push_back({(p + q + r) / 3.0, glm::cross(q - p, r - p)});
     }
     std::ranges::stable_sort(places, std::greater{},
-                             [](const Place& one) { return glm::length(one.across); });
+                             [](const Spot& one) { return glm::length(one.across); });
     places.resize(std::min(places.size(), k_most_callout_places));
     StillCallout callout{fmt::format("{}", k + 1), {}, glm::normalize(places.front().across)};
-    for (const Place& one : places) callout.places.push_back(one.middle);
+    for (const Spot& one : places) callout.places.push_back(one.middle);
     callouts.push_back(std::move(callout));
   }
   return callouts;
