@@ -1,5 +1,6 @@
 #version 330 core
-// Lit surface in a page, cut by a plane. LIVE: of the regions in u_regions alone, in their colours.
+// Lit surface in a page. LIVE: in the colours of the regions. CUT: a plane cuts it, and of the regions only those in
+// u_regions are drawn; without it the surface that others hide costs nothing.
 #ifdef LIVE
 #include "common/region.glsl"
 uniform vec3 u_colours[4];  // by accessibility bits
@@ -17,10 +18,14 @@ in vec3 v_place, v_normal;
 layout(location = 0) out vec4 o_colour;
 
 void main() {
+#ifdef CUT
   if (dot(u_cut.xyz, v_place) > u_cut.w) discard;
+#endif
 #ifdef LIVE
   uint bits = accessible_of(Sight(v_beside, v_map_position, v_class));
+#ifdef CUT
   if ((u_regions >> bits & 1u) == 0u) discard;
+#endif
   vec3 base = u_colours[bits];
   float hatch = bits == 0u ? u_hatch : 0.0;
 #else

@@ -47,12 +47,12 @@ std::optional<AxisBeside> axis_beside(std::span<const Candidate> axes, const glm
 std::string axis_beside_text(const PartModel& model, const SweepCandidate& candidate) {
   if (!candidate.axis) return {};
   const AxisBeside& axis = *candidate.axis;
-  const std::string unit = powered_unit(model.part, 2);
-  return fmt::format("{:.2g}° from {} ({}): {} {} undercut, reverse draft {} in place of {} {}",
-                     axis.angle_deg, direction_words(axis.direction), axis.reason,
-                     figure(axis.classification.areas[Region::undercut]), unit,
-                     figure(axis.classification.reverse_draft.area),
-                     figure(candidate.classification.reverse_draft.area), unit);
+  const FigureStyle style(model);
+  const auto area = [&style](double value) { return style.with_unit(FigureKind::area, value); };
+  return fmt::format(
+      "{:.2g}° from {} ({}): {} undercut, reverse draft {} in place of {}", axis.angle_deg,
+      direction_words(axis.direction), axis.reason, area(axis.classification.areas[Region::undercut]),
+      area(axis.classification.reverse_draft.area), area(candidate.classification.reverse_draft.area));
 }
 
 }  // namespace moldlight

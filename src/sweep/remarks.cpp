@@ -17,7 +17,7 @@ namespace {
 
 /// "12.3 mm² (0.41 %)"
 std::string area_text(const PartModel& model, double area) {
-  return fmt::format("{} {} ({})", figure(area), powered_unit(model.part, 2),
+  return fmt::format("{} ({})", FigureStyle(model).with_unit(FigureKind::area, area),
                      share_text(area, model.geometry.total_area));
 }
 

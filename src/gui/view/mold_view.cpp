@@ -96,10 +96,11 @@ std::optional<std::size_t> loop_under(const MoldLine& line, const Camera& camera
 
 std::array<std::string, 2> loop_lines(const AppState& state, std::size_t number) {
   const PartingLoop& loop = state.mold.line->line.loops[number];
-  const std::string unit = length_unit(state.model->part);
-  return {fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
-          with_minus(fmt::format("{} {} long, climbs {}, steepest {:.0f}°", figure(loop.length), unit,
-                                 figure(loop.climb()), loop.steepest_deg))};
+  const FigureStyle style(*state.model);
+  return {
+      fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
+      fmt::format("{} long, climbs {}, steepest {:.0f}°", style.with_unit(FigureKind::length, loop.length),
+                  style.with_unit(FigureKind::length, loop.climb()), loop.steepest_deg)};
 }
 
 std::vector<glm::vec3> block_corners(const AppState& state) {
@@ -185,8 +186,9 @@ void draw_height_handle(const Ui& ui, const AppState& state, const FreeArea& fre
   const glm::vec2 reach(ui.px(12));
   ui.memory->controls["parting height handle"] = {at - reach, at + reach};
   if (!lively) return;
-  const std::string text = fmt::format("halves meet at {} {}", with_minus(figure(parting_height(state))),
-                                       length_unit(state.model->part));
+  const std::string text =
+      "halves meet at " +
+      with_minus(FigureStyle(*state.model).with_unit(FigureKind::length, parting_height(state)));
   const glm::vec2 room = 0.5F * tag_size(ui, text);
   const float right = ImGui::GetIO().DisplaySize.x;
   const float side = at.x + ui.px(18) + 2.0F * room.x < right ? 1.0F : -1.0F;

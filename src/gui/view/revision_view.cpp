@@ -72,7 +72,7 @@ glm::dmat4 nearer(const Camera& camera) {
 }
 
 std::string change_area_text(const AppState& state, double area) {
-  return fmt::format("{} {}", figure(area), powered_unit(state.model->part, 2));
+  return FigureStyle(*state.model).with_unit(FigureKind::area, area);
 }
 
 }  // namespace

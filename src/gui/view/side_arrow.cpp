@@ -169,8 +169,7 @@ void draw_undercut_window(const Ui& ui, const AppState& state, const glm::ivec2&
   }
   ui.memory->controls["undercut window"] = box;
   const PartModel& model = *state.model;
-  const std::string text =
-      fmt::format("or a window of {} {}", figure(window.area), powered_unit(model.part, 2));
+  const std::string text = "or a window of " + FigureStyle(model).with_unit(FigureKind::area, window.area);
   draw_whole_tag(ui, {0.5F * (box.min.x + box.max.x), box.max.y + ui.px(k_tag_gap)}, text, ui.colours->text);
 }
 

@@ -3,8 +3,8 @@ const texels = {RGBA8: ["RGBA", "UNSIGNED_BYTE"], R8UI: ["RED_INTEGER", "UNSIGNE
   R32UI: ["RED_INTEGER", "UNSIGNED_INT"], RGBA32UI: ["RGBA_INTEGER", "UNSIGNED_INT"], RGBA32F: ["RGBA", "FLOAT"]};
 
 function rendererName() {
-  const gl = document.createElement("canvas").getContext("webgl2"), info = gl?.getExtension("WEBGL_debug_renderer_info");
-  return gl ? gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER) : "";
+  const gl = document.createElement("canvas").getContext("webgl2"), names = gl?.getExtension("WEBGL_debug_renderer_info");
+  return gl?.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER) ?? "";
 }
 
 class Tools {
@@ -14,15 +14,15 @@ class Tools {
     this.gl = canvas.getContext("webgl2", {antialias, preserveDrawingBuffer: true});
     if (!this.gl) throw new Error("no WebGL 2");
     const {FLOAT, FLOAT_VEC2, FLOAT_VEC3, FLOAT_VEC4, UNSIGNED_INT} = this.gl;
-    this.shaders = pageData("shaders");
-    this.calls = {[FLOAT]: "1f", [FLOAT_VEC2]: "2fv", [FLOAT_VEC3]: "3fv", [FLOAT_VEC4]: "4fv", [UNSIGNED_INT]: "1ui"};
+    Object.assign(this, {shaders: pageData("shaders"), programs: {}, calls: {[FLOAT]: "1f", [FLOAT_VEC2]: "2fv",
+      [FLOAT_VEC3]: "3fv", [FLOAT_VEC4]: "4fv", [UNSIGNED_INT]: "1ui"}});
   }
-  // With what sets its uniforms by their names.
-  program(name) {
-    const {gl} = this, program = gl.createProgram(), set = {};
-    this.shaders[name].forEach((text, k) => {
+  // A program and what sets its uniforms by their names. A second word in its name is defined in its text.
+  linked(name) {
+    const {gl} = this, program = gl.createProgram(), set = {}, [text, word] = name.split(" ");
+    this.shaders[text].forEach((stage, k) => {
       const shader = gl.createShader(k ? gl.FRAGMENT_SHADER : gl.VERTEX_SHADER);
-      gl.shaderSource(shader, text);
+      gl.shaderSource(shader, word ? stage.replace("\n", `\n#define ${word}\n`) : stage);
       gl.compileShader(shader);
       gl.attachShader(program, shader);
     });
@@ -74,8 +74,8 @@ class Tools {
     this.gl.deleteBuffer(data);
   }
   // Draws a buffer, or those of its vertices that are in a list, by a program with those of the uniforms that it has.
-  draw({program, set}, uniforms, buffer, kind = "TRIANGLES", list = null) {
-    const {gl} = this;
+  draw(name, uniforms, buffer, kind = "TRIANGLES", list = null) {
+    const {gl} = this, {program, set} = this.programs[name] ??= this.linked(name);
     gl.useProgram(program);
     for (const name in uniforms) set[name]?.(uniforms[name]);
     gl.bindVertexArray(buffer.vertices);

@@ -10,7 +10,7 @@ class Live {
     const directed = (elements) => [...figure.querySelectorAll(elements)]
       .map((element) => ({element, direction: unit(element.dataset.direction.split(",").map(Number))}));
     Object.assign(this, {view, live, ball, goals: directed("button[data-direction]"), places: directed("#ball span"),
-      rays: new Rays(mesh), maps: new LiveMaps(tools, live, mesh), moving: 512, ballProgram: tools.program("ball"),
+      rays: new Rays(mesh), maps: new LiveMaps(tools, live, mesh), moving: 512,
       sphere: tools.texture("RGBA8", size, size, sphere ?? new Uint8Array(4))});
     Object.assign(view, {live: this.maps, before: () => this.redraw(), over: (...picture) => this.drawBall(...picture),
       pick: (x, y) => this.pick(x, y), grab: (x, y) => this.grab(x, y)});
@@ -117,7 +117,7 @@ class Live {
     const {tools, direction} = this.view, {left, bottom, width} = this.ball.getBoundingClientRect();
     const [side, ...place] = [width, left - box.left, box.bottom - bottom].map((way) => Math.round(way * ratio));
     tools.begin({place, size: [side, side], depth: "", blend: true});
-    tools.draw(this.ballProgram, {u_right: right, u_above: above, u_toward: toward, u_direction: direction,
+    tools.draw("ball", {u_right: right, u_above: above, u_toward: toward, u_direction: direction,
       u_plain: dark ? [0.42, 0.44, 0.48] : [0.86, 0.87, 0.89], u_ink: dark ? [0.9, 0.9, 0.92] : [0.1, 0.11, 0.13],
       u_pixel: 2 / side, t_sphere: this.sphere}, {vertices: null, count: 4}, "TRIANGLE_STRIP");
     for (const {element, direction} of this.places) {

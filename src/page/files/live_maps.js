@@ -25,19 +25,19 @@ class LiveMaps {
       const start = place(indices[h]), stop = place(end(h)), along = minus(stop, start);
       if (dot(cross(at(normals, left), at(normals, right)), along) >= -1e-4 * Math.hypot(...along)) return;
       ends.push([...start, ...stop]);
-      sides.push([left, right]);
+      sides.push(left, right);
     });
     // Four corners each, as maps/contour_edge.vert has them; contour edges are picked for each direction.
     const floats = new Float32Array(32 * ends.length), numbers = new Uint32Array(floats.buffer);
     for (let k = 0; k < 4 * ends.length; ++k) {
       floats.set(ends[k >> 2], 8 * k);
-      numbers.set(sides[k >> 2], 8 * k + 6);
+      numbers.set(sides.slice(2 * (k >> 2), 2 * (k >> 2) + 2), 8 * k + 6);
     }
-    Object.assign(this, {tools, gl: tools.gl, live, mesh, sides, sizes: {}, closed: !opposite.includes(-1),
+    Object.assign(this, {tools, gl: tools.gl, live, mesh, sides, sizes: {}, closed: !opposite.includes(-1), planes,
       half: boxed(places, 6)[1], surface: tools.buffer(places, [3, 3]), strips: tools.buffer(floats, [3, 3, -2]),
-      planes, list: new Uint32Array(3 * facets), classes: new Uint8Array(rows * rowLength), classTexels: tools.texture("R8UI", rowLength, rows, null),
+      list: new Uint32Array(3 * facets), picked: new Uint32Array(3 * sides.length),
+      classes: new Uint8Array(rows * rowLength), classTexels: tools.texture("R8UI", rowLength, rows, null),
       planeTexels: tools.texture("RGBA32F", rowLength, rows, planes)});
-    for (const name of ["facet_map", "strip_map", "samples", "live_surface"]) this[name] = tools.program(name);
     this.addSamples(places);
   }
   // Of equal weight, where the program has them (mold/surface_samples.cpp).
@@ -76,8 +76,8 @@ class LiveMaps {
     const x = moved(turning(direction, 0.3217), across(direction)), y = cross(direction, x);
     const wide = 2 * Math.max(...[x, y].map((along) => dot(along.map(Math.abs), this.half)));
     const scale = (1 - 8 / resolution) / wide, texel = 1 / resolution / scale;
-    for (let f = 0; f < facets; ++f) {
-      const sine = dot(at(normals, f), direction);
+    for (let f = 0, k = 0; f < facets; ++f, k += 3) {
+      const sine = normals[k] * direction[0] + normals[k + 1] * direction[1] + normals[k + 2] * direction[2];
       classes[f] = sine >= limit ? 0 : sine <= -limit ? 1 : 2;
     }
     gl.bindTexture(gl.TEXTURE_2D, this.classTexels);
@@ -95,14 +95,13 @@ class LiveMaps {
       gl.clearBufferfv(gl.DEPTH, 0, [1]);
       // Each map has the facets that face away from its light.
       const away = this.facing(scaled(direction, -u_side), 0);
-      tools.draw(this.facet_map, {...this.asked, u_side}, this.surface, "TRIANGLES", away);
+      tools.draw("facet_map", {...this.asked, u_side}, this.surface, "TRIANGLES", away);
       const uniforms = {...this.asked, u_side, u_half_width: 0.5 * thickness * texel};
-      if (thickness > 0) tools.draw(this.strip_map, uniforms, this.strips, "TRIANGLES", this.contour(1 - layer));
+      if (thickness > 0) tools.draw("strip_map", uniforms, this.strips, "TRIANGLES", this.contour(1 - layer));
     }
     this.asked.t_maps = maps;
   }
-  // Corners of the facets that face a point, or, where `near` is 0, a direction. Where the processor draws, corners cost
-  // as much as pixels.
+  // Corners of the facets that face a point, or, where `near` is 0, a direction.
   facing([x, y, z], near) {
     const {planes, list, mesh: {facets}} = this;
     let count = 0;
@@ -114,34 +113,35 @@ class LiveMaps {
   }
   // Corners of the strips that have a facet of this class on one side alone.
   contour(away) {
-    const {classes} = this, picked = [];
-    this.sides.forEach(([left, right], k) => {
-      if ((classes[left] === away) !== (classes[right] === away))
-        picked.push(4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 2, 4 * k + 1, 4 * k + 3);
-    });
-    return new Uint32Array(picked);
+    const {classes, sides, picked} = this;
+    let count = 0;
+    for (let k = 0; k < sides.length; k += 2) {
+      if ((classes[sides[k]] === away) === (classes[sides[k + 1]] === away)) continue;
+      for (const corner of [0, 1, 2, 2, 1, 3]) picked[count++] = 2 * k + corner;
+    }
+    return picked.subarray(0, count);
   }
   // Areas of core, cavity, both and undercut. Where the verdict on a sample depends on the texel, `settle` may give the
   // accessibility bits of its facet and place in the unit frame.
   areas(settle) {
     const {gl, tools, verdicts, floats, numbers, sampleRows, live: {samples}} = this, sums = [0, 0, 0, 0];
     tools.begin({target: this.verdictTarget, size: [sampleRow, sampleRows], depth: ""});
-    tools.draw(this.samples, {...this.asked, t_samples: this.sampleTexels}, {vertices: null, count: 3});
+    tools.draw("samples", {...this.asked, t_samples: this.sampleTexels}, {vertices: null, count: 3});
     gl.readPixels(0, 0, sampleRow, sampleRows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, verdicts);
     for (let k = 0; k < 4 * samples; k += 4)
       ++sums[settle && verdicts[k] > 3 ? settle(numbers[k + 3], floats.subarray(k, k + 3)) : verdicts[k] & 3];
     return regionBits.map((bits) => this.total * sums[bits] / samples);
   }
-  // The part, each region that is wanted in its colour: where it stands, or all of it where the first one does. `outside`:
-  // it is seen from outside alone.
-  surfaces(groups, motions, lit, wanted, outside) {
-    const seen = outside ? this.facing(lit.u_eye, 1) : null;
+  // The part, each region that is wanted in its colour: where it stands, or all of it where the first one does. With
+  // nothing in `partly` all of it is drawn, and of a closed one what faces the eye.
+  surfaces(groups, motions, lit, wanted, partly) {
+    const {tools, surface, closed} = this, seen = closed && !partly ? this.facing(lit.u_eye, 1) : null;
     const bits = regionBits.map((bit, k) => wanted(groups[k], k) ? 1 << bit : 0);
     const u_colours = [3, 0, 1, 2].flatMap((k) => scaled(groups[k].colour, 1 / 255));  // by accessibility bits
     const passes = motions.length > 1 ? bits : [bits.reduce((all, bit) => all | bit)];
     passes.forEach((u_regions, k) => {
       const uniforms = {...lit, ...this.asked, u_motion: motions[k], u_regions, u_colours};
-      if (u_regions) this.tools.draw(this.live_surface, uniforms, this.surface, "TRIANGLES", seen);
+      if (u_regions) tools.draw("live_surface" + partly, uniforms, surface, "TRIANGLES", seen);
     });
   }
 }

@@ -12,7 +12,7 @@ class View {
     // `marks`: over the surface, {buffer, kind, ink}.
     Object.assign(this, {figure, model, canvas, tools, gl: tools.gl, up, aside, front: cross(up, aside),
       tags: figure.querySelector(".tags"), opened: model.opened, clear: 0, plane: "", cut: 0.5,
-      live: null, byMaps: false, marks: [], surface: tools.program("surface"), lines: tools.program("line"),
+      live: null, byMaps: false, marks: [],
       shapes: shaped(model, tools), arrow: tools.buffer(arrow, [3]),
       shown: model.groups.map((group) => !group.hidden)});
     this.aim(up);
@@ -69,14 +69,13 @@ class View {
     this.before?.();
     const {gl, tools, canvas, model, shapes, shown} = this, box = canvas.parentElement.getBoundingClientRect();
     const ratio = Math.min(2, devicePixelRatio || 1), dark = matchMedia("(prefers-color-scheme: dark)").matches;
-    const [width, height] = [box.width, box.height].map((side) => Math.max(1, Math.round(side * ratio)));
+    const size = [box.width, box.height].map((side) => Math.max(1, Math.round(side * ratio))), [width, height] = size;
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
     const motions = model.groups.map((group) => this.motion(group));
     const stood = shapes.flatMap((shape, k) => shown[k] ? shape.box.map((corner) => moved(motions[k], corner)) : []);
     const camera = this.seen = {...this.camera(motions, stood), box}, opaque = 1 - this.clear;
     const common = {u_clip: camera.clip, u_eye: camera.eye, u_up: this.up, u_cut: this.section(stood), u_nudge: [0, 0]};
-    const whole = Boolean(this.opened || this.plane || this.clear || shown.includes(false));
-    const outside = this.byMaps && !whole && this.live.closed, size = [width, height];
+    const partly = this.opened || this.plane || this.clear || shown.includes(false) ? " CUT" : "";
     tools.begin({size});
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -85,17 +84,17 @@ class View {
       const lit = {...common, u_alpha, u_lift: 0};
       if (this.byMaps) {
         this.live.surfaces(model.groups, this.opened > 0 ? motions : motions.slice(0, 1), {...lit, u_hatch: ratio},
-          (group, k) => shown[k] && (whole ? group.opaque === wanted : !wanted), outside);
+          (group, k) => shown[k] && (partly ? group.opaque === wanted : !wanted), partly);
       } else each((shape, group, u_motion) => {
         if (group.opaque !== wanted) return;
         const u_colour = scaled(group.colour, 1 / 255), u_hatch = group.hatched ? ratio : 0;
-        tools.draw(this.surface, {...lit, u_motion, u_colour, u_hatch}, shape.surface);
+        tools.draw("surface" + partly, {...lit, u_motion, u_colour, u_hatch}, shape.surface);
       });
     };
     const lines = (buffer, u_motion, u_ink, thick, kind = "LINES") => {
       for (let x = -thick; x <= thick; ++x) for (let y = -thick; y <= thick; ++y) {
         const uniforms = {...common, u_motion, u_ink, u_lift: 0.0015, u_nudge: [2 * x / width, 2 * y / height]};
-        if (x * x + y * y <= thick * thick + 0.5) tools.draw(this.lines, uniforms, buffer, kind);
+        if (x * x + y * y <= thick * thick + 0.5) tools.draw("line", uniforms, buffer, kind);
       }
     };
     surfaces(true, 1);

@@ -61,9 +61,10 @@ Table walls_table(const ReportContext& context, const DraftCheck& check) {
                        {{fmt::format("{}", wall.face)},
                         {wall.finish.empty() ? "–" : wall.finish},
                         value(angle_text(wall.required_deg), "required_deg", wall.required_deg)});
-    row.cells.insert(row.cells.end(), {value(angle_text(wall.least_deg), "least_deg", wall.least_deg),
-                                       value(figure(wall.height), "height", wall.height),
-                                       {suggestion(model, wall)}});
+    row.cells.insert(row.cells.end(),
+                     {value(angle_text(wall.least_deg), "least_deg", wall.least_deg),
+                      value(style.text(FigureKind::length, wall.height), "height", wall.height),
+                      {suggestion(model, wall)}});
     table.rows.push_back(std::move(row));
   }
   if (check.walls.size() > k_most_walls)
@@ -260,6 +261,7 @@ Section regions_section(const ReportContext& context, const Classification& resu
 Section part_section(const ReportContext& context, const std::vector<std::string>& warnings) {
   const PartModel& model = *context.model;
   const HealthReport& health = model.health;
+  const FigureStyle style(model);
   const auto count = [](std::size_t many) { return static_cast<double>(many); };
   Section section{"The part", {}};
   FigureGrid grid;
@@ -267,7 +269,8 @@ Section part_section(const ReportContext& context, const std::vector<std::string
       {"Box",
        {figures(health.bounds.max - health.bounds.min, model.frame.diagonal)},
        length_unit(model.part)},
-      {"Volume", number(figure(health.volume), "/part/volume", health.volume), powered_unit(model.part, 3)},
+      {"Volume", number(style, FigureKind::volume, "/part/volume", health.volume),
+       powered_unit(model.part, 3)},
       {"Facets",
        number(fmt::format("{}", health.facets), "/part/facets", count(health.facets)),
        {},
