@@ -15,7 +15,7 @@ namespace moldlight {
 namespace {
 
 constexpr double k_most_price = 1000.0;
-constexpr std::string_view k_prices_what = "prices";
+constexpr std::string_view k_prices_what = "--prices";
 
 void set_price(ActionPrices& prices, std::string_view name, double price) {
   Words names;

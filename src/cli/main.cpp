@@ -120,7 +120,10 @@ int run_program(std::vector<std::string> arguments, Console& console) {
     const auto more = program.remaining(true);
     const auto unknown = std::ranges::find_if(more, [](const auto& word) { return word.starts_with('-'); });
     const std::string advice = "see moldlight " + command + "--help";
-    if (unknown == more.end()) throw UsageError(error.what() + ("; " + advice));
+    const std::string fault = error.what();
+    if (unknown == more.end() && fault.ends_with(" missing"))
+      throw UsageError(fault.substr(0, fault.find(':')) + " needs a value; " + advice);
+    if (unknown == more.end()) throw UsageError(fault + "; " + advice);
     const std::vector<std::string> flags = flags_of(*used);
     throw UsageError(
         "there is no option " + *unknown +

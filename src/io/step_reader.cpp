@@ -205,6 +205,9 @@ void check_result(const ReadContext& context, const StepResult& result) {
   if (covered == 0 || covered != result.facets.size() || result.faces.size() != covered) {
     context.fail("", "{}", k_broken);
   }
+  const auto faces = static_cast<std::uint32_t>(result.face_colours.size());
+  if (faces > 0 && std::ranges::any_of(result.faces, [faces](std::uint32_t face) { return face >= faces; }))
+    context.fail("", "{}", k_broken);
   for (std::size_t i = 0; i < result.vertices.size(); ++i) {
     const auto& [x, y, z] = result.vertices[i];
     if (is_usable_point({x, y, z})) continue;
@@ -273,6 +276,7 @@ Part part_of_step_result(const ReadContext& context, std::string_view bytes) {
   part.mesh.facets = std::move(result.facets);
   part.facet_source = std::move(result.faces);
   part.has_cad_faces = true;
+  part.face_colours = std::move(result.face_colours);
   part.mesh = weld_vertices(part.mesh);
   return part;
 }

@@ -89,7 +89,8 @@ struct StepResult {
   std::vector<StepBody> bodies;                 // runs of facets, in order
   std::vector<std::array<double, 3>> vertices;  // in the unit
   std::vector<std::array<std::uint32_t, 3>> facets;
-  std::vector<std::uint32_t> faces;  // CAD face of each facet, from 0
+  std::vector<std::uint32_t> faces;         // CAD face of each facet, from 0
+  std::vector<std::uint32_t> face_colours;  // as of Part
 
   [[nodiscard]] std::string to_bytes() const {
     ByteWriter out;
@@ -105,6 +106,7 @@ struct StepResult {
     out.array(vertices);
     out.array(facets);
     out.array(faces);
+    out.array(face_colours);
     return out.bytes();
   }
 
@@ -124,6 +126,7 @@ struct StepResult {
     result.vertices = in.array<std::array<double, 3>>();
     result.facets = in.array<std::array<std::uint32_t, 3>>();
     result.faces = in.array<std::uint32_t>();
+    result.face_colours = in.array<std::uint32_t>();
     return result;
   }
 };

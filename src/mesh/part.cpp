@@ -71,6 +71,7 @@ Part extract_body(const Part& part, std::size_t index) {
   extracted.mesh = weld_vertices(extracted.mesh);
   extracted.facet_source = run_of(part.facet_source, body);
   extracted.has_cad_faces = part.has_cad_faces;
+  extracted.face_colours = part.face_colours;
   extracted.file_facets = run_of(part.file_facets, body);
   if (part.file_facets.empty()) {
     for (FacetIndex facet = 0; facet < body.facet_count; ++facet) {

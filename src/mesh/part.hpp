@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/face_colour.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace moldlight {
@@ -25,7 +26,9 @@ struct Part {
   std::vector<std::uint32_t> facet_source;  // number of the file's polygon (OBJ, PLY, OFF) or CAD face (STEP)
                                             // that each facet comes from; empty where each facet is its own
   bool has_cad_faces = false;               // they are CAD faces
-  std::vector<std::string> warnings;        // one sentence each, for the user
+  std::vector<std::uint32_t> face_colours = {};  // of each CAD face, 0xRRGGBB or k_no_colour; empty where the
+                                                 // file gives none a colour
+  std::vector<std::string> warnings;             // one sentence each, for the user
   std::vector<std::uint32_t> file_facets = {};  // number in the file of each facet, k_no_facet for one that a
                                                 // repair added; empty where facet k is facet k of the file
   std::vector<std::string> repairs = {};        // what a repair did, one sentence each

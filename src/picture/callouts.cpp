@@ -15,7 +15,8 @@ namespace moldlight {
 namespace {
 
 // Lengths at scale 1.
-constexpr double k_disc_radius = 10.0, k_leader = 30.0, k_spot_radius = 3.0, k_between = 3.0;
+constexpr double k_disc_radius = 15.0, k_leader = 42.0, k_spot_radius = 4.0, k_between = 4.0;
+constexpr double k_number_px = 18.0, k_bar_text_px = 18.0;
 constexpr int k_rounds = 60;  // in which discs move apart; more change nothing
 
 /// Where the discs stand, clear of each other as far as `rounds` of moving apart have it.
@@ -74,7 +75,7 @@ void draw_callouts(Canvas& canvas, std::span<const Callout> callouts, const glm:
     canvas.ring(places[k], k_disc_radius * scale, inks.strong, 1.5 * scale);
     const TextStyle text{
         .size_px = 12.0 * scale, .weight = FontWeight::semibold, .ink = inks.strong, .align = Align::centre};
-    canvas.text(places[k] + glm::dvec2(0.0, 4.3 * scale), callouts[k].text, text);
+    canvas.text(places[k] + glm::dvec2(0.0, 0.36 * text.size_px), callouts[k].text, text);
   }
 }
 
@@ -84,17 +85,17 @@ void draw_scale_bar(Canvas& canvas, double pixel_length, std::string_view unit, 
   const double length = round_length(0.25 * size.x * pixel_length), width = length / pixel_length;
   const std::string label = fmt::format("{:g} {}", length, unit);
   const PictureInks inks = picture_inks(style.dark);
-  const double margin = 20.0 * scale, tick = 4.0 * scale;
+  const double margin = 24.0 * scale, tick = 5.0 * scale;
   const glm::dvec2 right = size - margin, left = right - glm::dvec2(width, 0.0);
   Ink card = inks.card;
   card.opacity *= 0.85;
-  canvas.fill_box({left - glm::dvec2(10.0, 22.0) * scale, {width + 20.0 * scale, 32.0 * scale}}, card,
+  canvas.fill_box({left - glm::dvec2(12.0, 30.0) * scale, {width + 24.0 * scale, 42.0 * scale}}, card,
                   6.0 * scale);
   canvas.line(left, right, inks.strong, 1.5 * scale);
   for (const glm::dvec2& end : {left, right})
     canvas.line(end - glm::dvec2(0.0, tick), end + glm::dvec2(0.0, tick), inks.strong, 1.5 * scale);
-  canvas.text(0.5 * (left + right) - glm::dvec2(0.0, 7.0 * scale), label,
-              {.size_px = 12.0 * scale,
+  canvas.text(0.5 * (left + right) - glm::dvec2(0.0, 10.0 * scale), label,
+              {.size_px = k_bar_text_px * scale,
                .weight = FontWeight::medium,
                .ink = inks.strong,
                .align = Align::centre,

@@ -45,6 +45,7 @@
 #include <XSControl_WorkSession.hxx>
 
 #include "mesh/length_unit.hpp"
+#include "step/face_colours.hpp"
 #include "step/placements.hpp"
 
 namespace moldlight::step {
@@ -217,12 +218,15 @@ double diagonal_mm(const TopoDS_Shape& shape) {
 
 void add_bodies(const STEPControl_Reader& reader, const TopoDS_Shape& shape, double mm,
                 std::uint64_t max_facets, StepResult& result) {
+  const FaceColours colours(reader);
   std::uint32_t face = 0;
   std::size_t uncut = 0;
   for (const TopoDS_Shape& body : bodies_of(shape)) {
     const std::size_t first = result.facets.size();
     for (TopExp_Explorer walk(body, TopAbs_FACE); walk.More(); walk.Next(), ++face) {
-      if (!add_face(TopoDS::Face(walk.Current()), face, mm, result)) ++uncut;
+      const TopoDS_Face one = TopoDS::Face(walk.Current());
+      if (!add_face(one, face, mm, result)) ++uncut;
+      if (colours.any()) result.face_colours.push_back(colours.of(one));
       if (result.facets.size() > max_facets) {
         throw std::runtime_error("gives more facets than the limit of " + std::to_string(max_facets) +
                                  "; raise the limit (--max-facets) or the deflection");

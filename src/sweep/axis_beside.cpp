@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "classify/number_format.hpp"
+#include "classify/figure_table.hpp"
 #include "mold/direction.hpp"
 
 namespace moldlight {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.hpp"
+#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 #include "mold/direction.hpp"
 #include "sweep/axis_beside.hpp"

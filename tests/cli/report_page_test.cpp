@@ -57,6 +57,46 @@ TEST_P(ReportPages, ItsFiguresAreTheJsonsAndItTurnsOpensAndCutsInABrowser) {
   EXPECT_LT(found["restored"], 0.02 * drawn) << "as it was, once all is undone: " << found;
 }
 
+TEST(ReportPage, HasTheNumbersOfTheTableWhereTheirUndercutsAre) {
+  const SmallPart part;
+  const std::string page = part.output("page.html");
+  const auto run =
+      run_moldlight({"actions", part.file(), "--direction", "z", "--backend", "osmesa", "--html", page});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string text = file_bytes(page);
+  const std::regex number(R"re(<span class="number">(\d+)</span>)re");
+  std::size_t numbers = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it)
+    EXPECT_EQ(std::stoul((*it)[1]), ++numbers);
+  EXPECT_EQ(numbers, 1u) << "the hole";
+  if (!test::has_browser()) GTEST_SKIP() << "chromium is not installed: the page is not looked at";
+  test::Browser browser;
+  browser.load(page);
+  // Turned about, the surface with the number faces the viewer from some sides and not from others.
+  const Json found = browser.value(
+      "begun.then((view) => Array.from({length: 24}, (_, k) => { view.yaw = k * Math.PI / 12; view.pitch = "
+      "0; "
+      "view.draw(); return document.querySelector('.tags .number').hidden; }))");
+  const auto hidden = std::ranges::count(found, Json(true));
+  EXPECT_GE(hidden, 6) << found;
+  EXPECT_LE(hidden, 18) << found;
+}
+
+TEST(ReportPage, HasAPictureOfEachLoop) {
+  const SmallPart part;
+  const std::string page = part.output("page.html"), json = part.output("mold.json");
+  const auto run = run_moldlight({"mold", part.file(), "--direction", "z", "--fill-undercut", "--backend",
+                                  "osmesa", "--html", page, "--json", json});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string text = file_bytes(page);
+  const std::regex picture(R"re(alt="Loop (\d+)")re");
+  const auto pictures = static_cast<std::size_t>(
+      std::distance(std::sregex_iterator(text.begin(), text.end(), picture), std::sregex_iterator()));
+  EXPECT_GE(pictures, 1u);
+  EXPECT_LE(pictures, json_of(file_bytes(json))["loops"].size());
+  EXPECT_NE(text.find("alt=\"The part with the loops of its parting line\""), std::string::npos);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ReportPages, testing::ValuesIn(test::report_kinds()),
                          [](const auto& each) { return each.param.name; });
 

@@ -101,6 +101,29 @@ std::size_t StepText::box(const glm::dvec3& size) {
   return add(fmt::format("MANIFOLD_SOLID_BREP('',#{})", box_shell(size)));
 }
 
+std::size_t StepText::style(std::size_t item, const glm::dvec3& colour) {
+  const std::size_t rgb = add("COLOUR_RGB(''," + reals(colour) + ")");
+  const std::size_t filled = add(fmt::format("FILL_AREA_STYLE_COLOUR('',#{})", rgb));
+  const std::size_t fill = add(fmt::format("FILL_AREA_STYLE('',(#{}))", filled));
+  const std::size_t area = add(fmt::format("SURFACE_STYLE_FILL_AREA(#{})", fill));
+  const std::size_t side = add(fmt::format("SURFACE_SIDE_STYLE('',(#{}))", area));
+  const std::size_t usage = add(fmt::format("SURFACE_STYLE_USAGE(.BOTH.,#{})", side));
+  const std::size_t assignment = add(fmt::format("PRESENTATION_STYLE_ASSIGNMENT((#{}))", usage));
+  return add(fmt::format("STYLED_ITEM('',(#{}),#{})", assignment, item));
+}
+
+void StepText::show_styles(const std::string& styles, std::size_t context) {
+  add(fmt::format("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',({}),#{})", styles, context));
+}
+
+std::vector<std::size_t> StepText::faces() const {
+  constexpr std::string_view k_face = "=ADVANCED_FACE";
+  std::vector<std::size_t> numbers;
+  for (std::size_t at = data_.find(k_face); at != std::string::npos; at = data_.find(k_face, at + 1))
+    numbers.push_back(std::stoul(data_.substr(data_.rfind('#', at) + 1)));
+  return numbers;
+}
+
 std::size_t StepText::context(StepUnit unit) {
   std::size_t length = 0;
   if (unit == StepUnit::inch) {

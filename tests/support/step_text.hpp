@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -41,6 +42,12 @@ class StepText {
   std::size_t box_shell(const glm::dvec3& size);
   /// A manifold solid.
   std::size_t box(const glm::dvec3& size);
+  /// The style of an item, a face or a solid, in a colour; parts in [0, 1].
+  std::size_t style(std::size_t item, const glm::dvec3& colour);
+  /// What lists styles, a list such as "#4,#5"; without it they are not the part's.
+  void show_styles(const std::string& styles, std::size_t context);
+  /// Faces so far, in order.
+  [[nodiscard]] std::vector<std::size_t> faces() const;
   /// A geometric context of this unit.
   std::size_t context(StepUnit unit);
 

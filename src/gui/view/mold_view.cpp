@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "mesh/triangle_mesh.hpp"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "classify/number_format.hpp"
+#include "classify/figure_table.hpp"
 #include "classify/still_picture.hpp"
 #include "compare/convex_polygon.hpp"
 #include "gui/draw/widgets.hpp"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/view/direction.hpp"

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
@@ -50,6 +52,28 @@ std::optional<double> depth_mm(std::string_view text) {
   if (!depth || !(*depth > 0.0) || !scanner.at_end()) return std::nullopt;
   if (unit.empty() || unit == "mm") return depth;
   return unit == "in" ? std::optional(*depth * k_mm_an_inch) : std::nullopt;
+}
+
+std::string colour_text(std::uint32_t colour) { return fmt::format("#{:06x}", colour); }
+
+/// CAD faces of a colour as a STEP file gives it, "#rrggbb" in letters of either case.
+std::vector<std::uint32_t> faces_of_colour(const Part& part, std::string_view colour) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c; };
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t face = 0; face < part.face_colours.size(); ++face)
+    if (part.face_colours[face] != k_no_colour &&
+        std::ranges::equal(colour_text(part.face_colours[face]), colour, {}, {}, lower))
+      found.push_back(face);
+  return found;
+}
+
+std::string colours_text(const Part& part) {
+  const std::set<std::uint32_t> colours(part.face_colours.begin(), part.face_colours.end());
+  std::vector<std::string> names;
+  for (const std::uint32_t colour : colours)
+    if (colour != k_no_colour) names.push_back(colour_text(colour));
+  return names.empty() ? "the file gives no face a colour"
+                       : fmt::format("the file has {}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -109,6 +133,14 @@ std::vector<FaceFinish> finishes_in(std::string_view text, const std::string& pa
                          in_quotes(what)));
     if (where == "*") {
       of_others = finish;
+      continue;
+    }
+    if (where.starts_with('#')) {
+      const std::vector<std::uint32_t> coloured = faces_of_colour(model.part, where);
+      if (coloured.empty())
+        refuse(fmt::format("no face has the colour {}; {}", in_quotes(where), colours_text(model.part)));
+      for (const std::uint32_t face : coloured)
+        if (face < faces.count() && !faces.facets(face).empty()) of_face[face] = *finish;
       continue;
     }
     const auto face = number_from<std::uint32_t>(where);

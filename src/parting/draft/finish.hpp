@@ -40,9 +40,10 @@ struct FaceFinish {
 
   bool operator==(const FaceFinish&) const = default;
 };
-/// Of a text with a line a face, "FACE,FINISH": FACE is a number, or * for all that no other line names. A
-/// first line of column names, empty lines and lines that begin with "# " are left aside. Rising; the last
-/// line of a face holds. Throws FileError, which names the line, for anything else.
+/// Of a text with a line a face, "FACE,FINISH": FACE is a number, a colour of a STEP file as #RRGGBB for all
+/// faces that have it, or * for all that no other line names. A first line of column names, empty lines and
+/// lines that begin with "# " are left aside. Rising; the last line of a face holds. Throws FileError, which
+/// names the line, for anything else.
 [[nodiscard]] std::vector<FaceFinish> finishes_in(std::string_view text, const std::string& path,
                                                   const PartModel& model, TextureRule rule);
 /// Of a file. Throws FileError.

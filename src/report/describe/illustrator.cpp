@@ -12,7 +12,7 @@ namespace moldlight::report {
 
 namespace {
 
-constexpr glm::ivec2 k_whole_px(1280, 800), k_behind_px(960, 600), k_row_px(280, 210);
+constexpr glm::ivec2 k_whole_px(1280, 800), k_behind_px(800, 500), k_row_px(240, 180);
 /// More pictures of undercuts would make the page large, and nobody looks at them.
 constexpr std::size_t k_most_row_pictures = 12, k_most_pictured_rows = 100;
 /// Numbers beyond these would cover the part.
@@ -139,8 +139,7 @@ std::vector<StillCallout> undercut_callouts(const SplitMesh& split,
       const glm::dvec3 &p = split.vertices[a], &q = split.vertices[b], &r = split.vertices[c];
       places.push_back({(p + q + r) / 3.0, glm::cross(q - p, r - p)});
     }
-    std::ranges::stable_sort(places, std::greater{},
-                             [](const Spot& one) { return glm::length(one.across); });
+    std::ranges::stable_sort(places, std::greater{}, [](const Spot& one) { return glm::length(one.across); });
     places.resize(std::min(places.size(), k_most_callout_places));
     StillCallout callout{fmt::format("{}", k + 1), {}, glm::normalize(places.front().across)};
     for (const Spot& one : places) callout.places.push_back(one.middle);

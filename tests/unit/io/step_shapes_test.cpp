@@ -51,6 +51,29 @@ void expect_bounds(const Part& part, std::size_t body, const glm::dvec3& min, co
   }
 }
 
+TEST_F(StepShapes, KeepTheColoursOfFaces) {
+  StepText text;
+  const std::size_t context = text.context(StepUnit::mm), solid = text.box(k_size);
+  const std::vector<std::size_t> faces = text.faces();
+  ASSERT_EQ(faces.size(), 6u);
+  text.product("box", "ADVANCED_BREP_SHAPE_REPRESENTATION", test::step_reference(solid), context);
+  const std::size_t red = text.style(faces[2], {1.0, 0.0, 0.0}), all = text.style(solid, {0.2, 0.4, 0.6});
+  text.show_styles(test::step_reference(red) + "," + test::step_reference(all), context);
+  const Part part = read_bytes("a.step", text.file());
+  expect_boxes(part, 1);
+  // A face's own colour counts, elsewhere the solid's.
+  const std::uint32_t rest = 0x336699;
+  EXPECT_EQ(part.face_colours, (std::vector<std::uint32_t>{rest, rest, 0xFF0000, rest, rest, rest}));
+  const Part body = extract_body(part, 0);
+  EXPECT_EQ(body.face_colours, part.face_colours);
+}
+
+TEST_F(StepShapes, WithoutColoursHaveNone) {
+  StepText text;
+  text.box_product("box", k_size, text.context(StepUnit::mm));
+  EXPECT_TRUE(read_bytes("a.step", text.file()).face_colours.empty());
+}
+
 TEST_F(StepShapes, ComeInAllThreeSchemas) {
   for (const std::string_view schema : {test::k_ap203, test::k_ap214, test::k_ap242}) {
     StepText text(schema);

@@ -100,6 +100,29 @@ TEST(Finish, FailsTheFacesThatHaveTooLittle) {
   for (const WallDraft& wall : others.walls) EXPECT_EQ(wall.required_deg, 1.5);
 }
 
+TEST(Finish, IsThatOfAColourOfTheFile) {
+  const auto plain = test::model_of(block());
+  Part part = plain->part;
+  part.facet_source = part_faces(part, plain->geometry, plain->adjacency).of_facet;
+  part.has_cad_faces = true;
+  part.face_colours = {0xFF0000, k_no_colour, 0x00AAFF, 0xFF0000, k_no_colour, k_no_colour};
+  const auto model = prepare_part(std::move(part), Progress{});
+  const auto found = finishes_in("#FF0000,polished\n#00aaff,texture 0.1 mm\n3,shut-off\n", "finish.csv",
+                                 *model, TextureRule::metric);
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].face, 0U);
+  EXPECT_EQ(found[0].finish.name, "polished");
+  EXPECT_EQ(found[1].face, 2U);
+  EXPECT_EQ(found[1].finish.required_deg, 4.0);
+  EXPECT_EQ(found[2].finish.name, "shut-off") << "a later line holds";
+  try {
+    static_cast<void>(finishes_in("#123456,polished\n", "finish.csv", *model, TextureRule::metric));
+    FAIL() << "no face has it";
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("#00aaff, #ff0000"), std::string::npos) << error.what();
+  }
+}
+
 /// An overhang by half a degree: what the lateral tolerance lets pass is reverse draft, the rest an undercut.
 TEST(Draft, OfAWallThatLeansBackIsAllOfIt) {
   const double height = 20.0, back = height * std::tan(glm::radians(0.5));

@@ -28,6 +28,16 @@ ModelView view_of(const TriangleMesh& mesh) {
   return view;
 }
 
+TEST(ModelView, HasItsNumbersInTheUnitFrame) {
+  ModelView view = view_of(test::box_mesh({-1, -2, -3}, {5, 6, 7}));
+  view.callouts = {{"1", {5, 2, 2}, {1, 0, 0}}};
+  const Json packed = report::packed(view);
+  ASSERT_EQ(packed["callouts"].size(), 1u);
+  EXPECT_NEAR(packed["callouts"][0]["place"][0].get<double>(), 3.0 / view.diagonal, 1e-12);
+  EXPECT_NEAR(packed["callouts"][0]["place"][1].get<double>(), 0.0, 1e-12);
+  EXPECT_EQ(packed["callouts"][0]["normal"][0], 1.0);
+}
+
 TEST(ModelView, UnpacksToTheSameSurface) {
   const TriangleMesh mesh = test::refined(test::cup_with_side_hole(test::ShapeSettings{}), 2000).mesh;
   const ModelView view = view_of(mesh);

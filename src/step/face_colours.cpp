@@ -1,0 +1,75 @@
+#include "step/face_colours.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <Quantity_Color.hxx>
+#include <STEPConstruct.hxx>
+#include <STEPConstruct_Styles.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <StepVisual_Colour.hxx>
+#include <StepVisual_StyledItem.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include "mesh/face_colour.hpp"
+
+namespace moldlight::step {
+
+namespace {
+
+std::uint32_t byte_of(double value) {
+  return static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
+}
+
+/// Of the surface; k_no_colour for a style of lines, or of a colour that has no name.
+std::uint32_t colour_of(const STEPConstruct_Styles& styles, const Handle(StepVisual_StyledItem) & style) {
+  Handle(StepVisual_Colour) surface, border, curve, rendered;
+  Standard_Real transparency = 0.0;
+  Standard_Boolean is_component = Standard_False;
+  if (!styles.GetColors(style, surface, border, curve, rendered, transparency, is_component))
+    return k_no_colour;
+  const Handle(StepVisual_Colour)& shown = surface.IsNull() ? rendered : surface;
+  Quantity_Color colour;
+  if (shown.IsNull() || !STEPConstruct_Styles::DecodeColor(shown, colour)) return k_no_colour;
+  Standard_Real red = 0.0, green = 0.0, blue = 0.0;
+  colour.Values(red, green, blue, Quantity_TOC_sRGB);
+  return byte_of(red) << 16 | byte_of(green) << 8 | byte_of(blue);
+}
+
+}  // namespace
+
+FaceColours::FaceColours(const STEPControl_Reader& reader) {
+  STEPConstruct_Styles styles(reader.WS());
+  if (!styles.LoadStyles()) return;
+  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+  std::vector<std::pair<TopoDS_Shape, std::uint32_t>> of_bodies;
+  for (Standard_Integer k = 1; k <= styles.NbStyles(); ++k) {
+    const Handle(StepVisual_StyledItem) style = styles.Style(k);
+    const std::uint32_t colour = colour_of(styles, style);
+    if (colour == k_no_colour || style->Item().IsNull()) continue;
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, style->Item());
+    if (shape.IsNull()) continue;
+    if (shape.ShapeType() == TopAbs_FACE) {
+      of_face_.insert_or_assign(shape.TShape().get(), colour);
+    } else {
+      of_bodies.emplace_back(shape, colour);
+    }
+  }
+  for (const auto& [body, colour] : of_bodies)
+    for (TopExp_Explorer walk(body, TopAbs_FACE); walk.More(); walk.Next())
+      of_face_.try_emplace(walk.Current().TShape().get(), colour);
+}
+
+std::uint32_t FaceColours::of(const TopoDS_Face& face) const {
+  const auto found = of_face_.find(face.TShape().get());
+  return found == of_face_.end() ? k_no_colour : found->second;
+}
+
+}  // namespace moldlight::step

@@ -1,0 +1,26 @@
+// Colours that a STEP file gives to faces.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+
+#include <STEPControl_Reader.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_TShape.hxx>
+
+namespace moldlight::step {
+
+/// Known once the reader has transferred its shapes.
+class FaceColours {
+ public:
+  explicit FaceColours(const STEPControl_Reader& reader);
+
+  [[nodiscard]] bool any() const { return !of_face_.empty(); }
+  /// 0xRRGGBB of sRGB: the face's own colour, or that of the body it is in; k_no_colour without one.
+  [[nodiscard]] std::uint32_t of(const TopoDS_Face& face) const;
+
+ private:
+  std::unordered_map<const TopoDS_TShape*, std::uint32_t> of_face_;
+};
+
+}  // namespace moldlight::step
