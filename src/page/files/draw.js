@@ -3,8 +3,8 @@ const texels = {RGBA8: ["RGBA", "UNSIGNED_BYTE"], R8UI: ["RED_INTEGER", "UNSIGNE
   R32UI: ["RED_INTEGER", "UNSIGNED_INT"], RGBA32UI: ["RGBA_INTEGER", "UNSIGNED_INT"], RGBA32F: ["RGBA", "FLOAT"]};
 
 function rendererName() {
-  const gl = document.createElement("canvas").getContext("webgl2"), names = gl?.getExtension("WEBGL_debug_renderer_info");
-  return gl?.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER) ?? "";
+  const gl = document.createElement("canvas").getContext("webgl2");
+  return gl?.getParameter(gl.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER) ?? "";
 }
 
 class Tools {

@@ -138,8 +138,7 @@ class LiveMaps {
     const {tools, surface, closed} = this, seen = closed && !partly ? this.facing(lit.u_eye, 1) : null;
     const bits = regionBits.map((bit, k) => wanted(groups[k], k) ? 1 << bit : 0);
     const u_colours = [3, 0, 1, 2].flatMap((k) => scaled(groups[k].colour, 1 / 255));  // by accessibility bits
-    const passes = motions.length > 1 ? bits : [bits.reduce((all, bit) => all | bit)];
-    passes.forEach((u_regions, k) => {
+    (motions.length > 1 ? bits : [bits.reduce((all, bit) => all | bit)]).forEach((u_regions, k) => {
       const uniforms = {...lit, ...this.asked, u_motion: motions[k], u_regions, u_colours};
       if (u_regions) tools.draw("live_surface" + partly, uniforms, surface, "TRIANGLES", seen);
     });

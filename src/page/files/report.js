@@ -80,5 +80,4 @@ async function begin() {
     view.director = new Live(view, live, await unpackedPart(live), live.sphere && await inflated(live.sphere.data));
   return view;
 }
-// The view, or why there is none.
-const begun = begin().catch(String);
+const begun = begin().catch(String);  // the view, or why there is none

@@ -74,7 +74,9 @@ class View {
     const motions = model.groups.map((group) => this.motion(group));
     const stood = shapes.flatMap((shape, k) => shown[k] ? shape.box.map((corner) => moved(motions[k], corner)) : []);
     const camera = this.seen = {...this.camera(motions, stood), box}, opaque = 1 - this.clear;
-    const common = {u_clip: camera.clip, u_eye: camera.eye, u_up: this.up, u_cut: this.section(stood), u_nudge: [0, 0]};
+    const {eye, toward} = camera, key = unit(plus(toward, scaled(this.up, 0.55), scaled(camera.right, -0.45)));
+    const common = {u_clip: camera.clip, u_eye: eye, u_up: this.up, u_key: key, u_shine: unit(plus(key, toward)),
+      u_cut: this.section(stood), u_nudge: [0, 0]};
     const partly = this.opened || this.plane || this.clear || shown.includes(false) ? " CUT" : "";
     tools.begin({size});
     gl.clearColor(0, 0, 0, 0);
@@ -124,7 +126,7 @@ class View {
       const [left, top] = this.onScreen(place), tag = this.tags.children[k];
       Object.assign(tag.style, {left: left + "px", top: top + "px"});
       tag.hidden = left < 20 || top < 8 || left > box.width - 20 || top > box.height - 8
-        || Boolean(normal && (this.byMaps || dot(normal, minus(camera.eye, place)) < 0));
+        || Boolean(normal && (this.byMaps || dot(normal, minus(eye, place)) < 0));
     });
   }
   // From the eye through a place of the picture, which is given from its upper left corner.
