@@ -86,7 +86,7 @@ TEST_F(Compare, TellsAScaleAndVolumesThatAddUp) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto json = json_of(run.out);
   EXPECT_NEAR(json["scale"]["factor"].get<double>(), 1.01, 1e-6);
-  EXPECT_TRUE(json["verdict"].get<std::string>().starts_with("B is A × 1.0100;")) << json["verdict"];
+  EXPECT_TRUE(json["verdict"].get<std::string>().starts_with("B is A × 1.0100.")) << json["verdict"];
   double sum = json["surface"]["volume_elsewhere"];
   for (const auto& place : json["places"]) sum += place["volume"].get<double>();
   const double before = json["a"]["volume"], after = json["b"]["volume"];

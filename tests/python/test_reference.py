@@ -111,7 +111,7 @@ class Reports(unittest.TestCase):
     def test_mold_that_is_refused(self):
         found = moldlight.Part.read(LID, unit="mm").mold("z")
         self.assertIn("fill_undercut", found.refusal)
-        with self.assertRaisesRegex(moldlight.Error, "undercuts keep"):
+        with self.assertRaisesRegex(moldlight.Error, "undercuts hide"):
             found.write("nowhere")
 
     def test_arrays_give_what_the_file_gives(self):

@@ -1,24 +1,22 @@
-""
-    "Parting directions: of a face, an edge, an axis, a plane, or typed."
-    ""
+"""Parting directions: of a face, an edge, an axis, a plane, or typed."""
 
-    import FreeCAD import Part
+import FreeCAD
+import Part
 
-        from.import shapes from.engine import Refusal,
-    translate
+from . import shapes
+from .engine import Refusal, translate
 
-        AXES = {"x" : (1, 0, 0), "y" : (0, 1, 0), "z" : (0, 0, 1)}
+AXES = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
 
-               def
-               typed(text)
-    : ""
-      "The unit vector of " z ", " -
-      y
-      " or three numbers. Raises Refusal."
-      "" words = text.strip().lower().lstrip("+") sign =
-                   -1.0 if words[:1] == "-" and words [1:] in AXES else 1.0 if words.lstrip("-") in AXES and
-                                     words.count("-") <= 1
-    : return FreeCAD.Vector(*AXES[words.lstrip("-")]) * sign try : numbers = [float(word) for word in words.replace(";", ",").replace(" ", ",").split(",") if word]
+
+def typed(text):
+    """The unit vector of "z", "-y" or three numbers. Raises Refusal."""
+    words = text.strip().lower().lstrip("+")
+    sign = -1.0 if words[:1] == "-" and words[1:] in AXES else 1.0
+    if words.lstrip("-") in AXES and words.count("-") <= 1:
+        return FreeCAD.Vector(*AXES[words.lstrip("-")]) * sign
+    try:
+        numbers = [float(word) for word in words.replace(";", ",").replace(" ", ",").split(",") if word]
     except ValueError:
         numbers = []
     if len(numbers) != 3:
@@ -32,7 +30,7 @@ def unit(vector):
     """Of length one. Raises Refusal for a vector of no length."""
     if not 0.0 < vector.Length < float("inf"):
         raise Refusal(translate("Moldlight", "A parting direction of length 0 points nowhere; type another one."))
-# 0.0 takes the sign from zeros.
+    # 0.0 takes the sign from zeros.
     return FreeCAD.Vector(*(component / vector.Length + 0.0 for component in vector))
 
 
@@ -56,7 +54,7 @@ def of_element(source, element=""):
         shape = shapes.located_shape(source, element, element_needed=bool(element))
     direction = _of_shape(shape)
     if direction is None and not element and hasattr(source, "Placement") and not shape.Faces:
-#A coordinate system or a sketch : its z.
+        # A coordinate system or a sketch: its z.
         direction = _global_placement(source).Rotation.multVec(FreeCAD.Vector(0, 0, 1))
     if direction is None:
         raise Refusal(

@@ -201,7 +201,7 @@ TEST(SideAction, ThatLeavesTheRestOfItsUndercutIsRefused) {
   EXPECT_EQ(refused->reason, RejectReason::leaves_rest);
   EXPECT_NEAR(refused->travel, 3.0, 0.1);
   EXPECT_GT(refused->direction.x, 1.0 - 1e-6);
-  EXPECT_NE(rejected_text(*planned.model, planned.plan).find("lifter for undercut 1 (leaves "),
+  EXPECT_NE(rejected_text(*planned.model, planned.plan).find("lifter for undercut 1 (it leaves "),
             std::string::npos);
 
   ActionSettings asked;

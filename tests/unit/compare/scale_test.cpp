@@ -26,7 +26,7 @@ TEST(Scale, IsFoundAndNamed) {
     ASSERT_TRUE(found.scale.has_value()) << factor;
     EXPECT_NEAR(found.scale->factor, factor, 1e-6);
     EXPECT_EQ(found.scale->other, 0.0);
-    EXPECT_TRUE(comparison_verdict(found).starts_with(fmt::format("B is A × {:.4f};", factor)))
+    EXPECT_TRUE(comparison_verdict(found).starts_with(fmt::format("B is A × {:.4f}.", factor)))
         << comparison_verdict(found);
   }
 }

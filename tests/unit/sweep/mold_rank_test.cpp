@@ -85,7 +85,7 @@ TEST(MoldRank, AddsToTheWeightWhatSideActionsFormAndDraftAndLine) {
   EXPECT_DOUBLE_EQ(mold_effort(one), 1.0 + 2.0 + 1.0 + 2.0 + 40.0 * 0.15) << "it lies on its side";
   EXPECT_DOUBLE_EQ(mold_effort(other), 2.0 + 1.0);
   EXPECT_EQ(rank_reasons(one, other),
-            (std::vector<std::string>{"its side actions form 40 % of the surface more",
+            (std::vector<std::string>{"its side actions form 40 % more of the surface",
                                       "its parting line climbs 300 % of the diagonal more",
                                       "but needs 1 slide less"}));
 }
