@@ -35,7 +35,9 @@ class ResultsTest(DocumentCase):
         found = results.directions_of(self.regions)
         self.recompute()
         table = sweeps.direction_table(found)
-        self.assertEqual(len(table), found.Top)
+        # No two are beside each other, so that fewer than were asked for may be listed.
+        self.assertLessEqual(len(table), found.Top)
+        self.assertGreaterEqual(len(table), 3)
         self.assertEqual(tuple(map(abs, found.Found[0])), (0, 0, 1))
         self.assertAlmostEqual(table[0][1], models.lid_undercut(), delta=1e-6)
         self.assertEqual([row[1] for row in table], sorted(row[1] for row in table))

@@ -184,7 +184,7 @@ class WindowTest(unittest.TestCase):
         found = self.document.MoldRegions
         panel = self.run_command("FindDirection", (found,))
         picture("direction")
-        self.assertEqual(len(panel_rows(panel.rows)), self.document.FoundDirections.Top)
+        self.assertEqual(len(panel_rows(panel.rows)), len(self.document.FoundDirections.Found))
         panel.rows.selectRow(1)
         self.assertEqual(found.Direction, self.document.FoundDirections.Found[1])
         self.assert_coloured(found)
@@ -311,6 +311,7 @@ class WindowTest(unittest.TestCase):
             panel = self.run_command(command, (body,))
             # What the module says is in its own words.
             said = [getattr(panel, name).text() for name in ("remarks", "verdict", "refusal") if hasattr(panel, name)]
+            said += [found.Verdict for found in self.document.Objects if hasattr(found, "Verdict")]
             self.assertEqual([text for text in unmarked_texts(panel) if text not in said], [], command)
             panel.accept()
 

@@ -111,9 +111,10 @@ class RegionsPanel(task.Panel):
                 for name, area in zip(regions.engine().REGIONS, areas)]
         task.fill(self.areas, rows, obj.Colours)
         task.fit_rows(self.areas)
-        self.doubt.setText("\n".join(
-            [obj.Verdict, translate("Moldlight", "undercut ± {:.1g} % of the surface").format(100.0 * obj.Uncertainty.Value / total),
-             *obj.Warnings]))
+        doubt = 100.0 * obj.Uncertainty.Value / total
+        # Less is not seen in any figure of the panel.
+        error = [translate("Moldlight", "Undercut ± {:.1g} % of the surface.").format(doubt)] if doubt >= 0.005 else []
+        self.doubt.setText("\n".join([obj.Verdict, *error, *obj.Warnings]))
         self._fill_faces()
 
     def _fill_faces(self):
