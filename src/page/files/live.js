@@ -53,7 +53,7 @@ class Live {
     if (view.byMaps) this.maps.draw(settings);
     // While it moves, maps as fine as keep up.
     const took = now - this.last;
-    if (!rest && took < 300) this.moving = between(this.moving * (took < 18 ? 2 : took > 75 ? 0.5 : 1), 512, 2048);
+    if (!rest && took < 300) this.moving = between(this.moving * (took < 14 ? 2 : took > 40 ? 0.5 : 1), 512, 2048);
     if (rest || !(now - this.shownAt < 120)) this.showAreas(found, settings, rest);
     Object.assign(this, {last: now, stale: ""});
   }
