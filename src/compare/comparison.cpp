@@ -273,10 +273,10 @@ std::string mold_change_text(const Comparison& comparison, const MoldChange& mol
   if (!mold.line.added.empty()) {
     const auto& stretches = mold.line.added;
     const auto farthest = std::ranges::max_element(stretches, {}, &LineStretch::farthest);
-    text +=
-        fmt::format(" The parting line moves off the old one at {}, by at most {} at ({}) {}.",
-                    plural(stretches.size(), "place"), style.with_unit(FigureKind::length, farthest->farthest),
-                    style.point(farthest->at), length_unit(comparison.a.model->part));
+    text += fmt::format(" The parting line moves off the old one at {}, by at most {} at ({}) {}.",
+                        plural(stretches.size(), "place"),
+                        style.with_unit(FigureKind::length, farthest->farthest), style.point(farthest->at),
+                        length_unit(comparison.a.model->part));
   } else if (!mold.line.gone.empty()) {
     text += fmt::format(" {} of the old parting line {} no longer used.",
                         plural(mold.line.gone.size(), "segment"), mold.line.gone.size() == 1 ? "is" : "are");
