@@ -159,8 +159,8 @@ constexpr std::string_view k_part_text =
     "vertices: n x 3 numbers of any kind and layout, finite.\n"
     "faces: m x 3 whole numbers from 0 to n - 1.\n"
     "name: what reports call the part.\n"
-    "progress: called with a stage and the share of it that is done, some times a second; what it\n"
-    "raises ends the work, and so does returning False, which raises Cancelled.\n\n"
+    "progress: called with a stage and the share of it that is done, some times a second. What it\n"
+    "raises ends the work. So does returning False, which raises Cancelled.\n\n"
     "Part.read() reads a file. A part does not change, and threads may share it.";
 
 const CallSettings k_part_settings("Part", array_options());
