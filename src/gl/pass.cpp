@@ -8,7 +8,7 @@ void begin(const Functions& gl, const Pass& pass) {
   gl.Viewport(pass.corner.x, pass.corner.y, pass.size.x, pass.size.y);
   gl.Disable(GL_SCISSOR_TEST);
 
-  constexpr GLenum k_depth[] = {GL_ALWAYS, GL_LESS, GL_EQUAL, GL_GREATER, GL_ALWAYS};
+  constexpr GLenum k_depth[] = {GL_ALWAYS, GL_LESS, GL_EQUAL, GL_NOTEQUAL, GL_ALWAYS};
   enable(GL_DEPTH_TEST, pass.depth != DepthTest::off);
   gl.DepthFunc(k_depth[static_cast<int>(pass.depth)]);
   gl.DepthMask(pass.writes_depth ? GL_TRUE : GL_FALSE);

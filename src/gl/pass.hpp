@@ -10,7 +10,8 @@
 namespace moldlight::gl {
 
 /// How a fragment's depth must compare to what is there.
-enum class DepthTest : std::uint8_t { off, less, equal, greater, always };
+/// There is no test for what is further away: a card's driver was seen to pass wrong fragments by it.
+enum class DepthTest : std::uint8_t { off, less, equal, unequal, always };
 /// Triangles that are left out, counter-clockwise ones being fronts.
 enum class Cull : std::uint8_t { none, back, front };
 /// What becomes of the colour that is there: replaced; covered as far as the new one is opaque, where the

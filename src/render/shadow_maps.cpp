@@ -122,7 +122,7 @@ void ShadowMaps::count_covered(const Side& side) {
   // What is nearer than the far plane.
   gl::begin(tools_.gl, {.framebuffer = side.framebuffer.name(),
                         .size = glm::ivec2(settings_.resolution),
-                        .depth = gl::DepthTest::greater,
+                        .depth = gl::DepthTest::unequal,
                         .writes_colour = false});
   tools_.programs.use("common/at_infinity.vert", {});
   tools_.gl.BeginQuery(GL_SAMPLES_PASSED, side.covered.name());

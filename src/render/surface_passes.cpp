@@ -242,7 +242,7 @@ void shade(ViewTools& tools, const ViewFrame& frame) {
              over = ghost || frame.layer == Layer::steel;
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_shaded.name(),
                        .size = tools.targets.size,
-                       .depth = gl::DepthTest::greater,
+                       .depth = gl::DepthTest::unequal,
                        .blend = over ? gl::Blend::over : gl::Blend::replace});
   const bool detail = needs_detail(settings), plain = subject.maps == nullptr && subject.split == nullptr;
   const bool known = frame.exact() || frame.by_region();
