@@ -19,6 +19,7 @@ namespace moldlight {
 namespace {
 
 constexpr int k_rounds = 5, k_turns = 8, k_warm_up = 2;
+constexpr double k_figures_ms = 400.0;  // a round while the direction moves, at least, so that figures are found
 
 }  // namespace
 
@@ -74,15 +75,15 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
     }
     Job<ExactAreas> beside({.pause_s = figure_pause_s});
     const Stopwatch stopwatch;
-    for (int turn = -k_warm_up; turn < k_turns; ++turn) {
+    for (int turn = -k_warm_up; turn < k_turns || stopwatch.elapsed_ms() < k_figures_ms; ++turn) {
       Query moved = asked;
-      moved.direction = glm::dvec3(0.02 * (k_turns * round + turn), 0.1, 1.0);
+      moved.direction = glm::dvec3(0.02 * (k_turns * round + turn % k_turns), 0.1, 1.0);
       beside.follow([&measure, direction = moved.direction.unit()](const Progress& measuring) {
         return measure(direction, measuring);
       });
       const double change = frame_ms([&] {
         changing.draw_moving(moved);
-        draw(changing, turn, ColourMode::regions);
+        draw(changing, turn % k_turns, ColourMode::regions);
       });
       if (turn < 0) continue;
       changing_ms.push_back(change);
