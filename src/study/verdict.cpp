@@ -195,9 +195,9 @@ class Judge {
 
   void add_specks() {
     if (verdict_.specks == 0) return;
-    add(fmt::format("{} smaller or shallower than {:.3g} {} {} ignored ({}).",
-                    plural(verdict_.specks, "mark"), lateral_, length_unit(facts_.model.part),
-                    verdict_.specks == 1 ? "is" : "are", area(verdict_.speck_area)));
+    add(fmt::format("{} {} ignored, smaller or shallower than {:.3g} {} ({}).",
+                    plural(verdict_.specks, "tiny undercut"), verdict_.specks == 1 ? "is" : "are", lateral_,
+                    length_unit(facts_.model.part), area(verdict_.speck_area)));
   }
 
   void add_sampled() {
