@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 
@@ -232,11 +231,9 @@ void sum_areas(const PartModel& model, const Costs& costs, Assignment& assignmen
 
 /// Throws UsageError for a height at which there is no part.
 void check_height(const PartModel& model, const glm::dvec3& direction, double height) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const glm::dvec3& vertex : model.part.mesh.vertices) {
-    low = std::min(low, glm::dot(vertex, direction));
-    high = std::max(high, glm::dot(vertex, direction));
-  }
+  std::vector<double> reach;
+  for (const glm::dvec3& vertex : model.part.mesh.vertices) reach.push_back(glm::dot(vertex, direction));
+  auto [low, high] = std::ranges::minmax(reach);
   if (std::abs(low) < 1e-6 * model.frame.diagonal) low = 0.0;  // not "-0"
   if (height < low || height > high)
     throw UsageError(
