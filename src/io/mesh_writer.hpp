@@ -77,7 +77,6 @@ void write_stl(const std::string& path, const TriangleMesh& mesh, Colour colour)
 /// The file beside an .obj that write_coloured_mesh writes, too; empty for others.
 [[nodiscard]] std::string material_library_path(const std::string& path);
 
-
 /// Writes the facets of each region to <folder>/<stem>_core.stl, …_cavity.stl, …_both.stl, …_undercut.stl
 /// (coloured binary STL), making the folder. A region without facets gets no file, and a former file of its
 /// name goes. Returns the paths.
