@@ -221,11 +221,8 @@ std::string clear_text(const SideAction& action, const ActionPlan& plan, const s
   if (!action.body) return "-";
   const auto& hit = action.body->hit;
   if (!hit) return "clear";
-  return fmt::format(
-      "{} {} deep in {} {}", rounded(hit->depth), unit,
-      hit->action ? fmt::format("{} {}", facts(plan.actions[*hit->action].kind).singular, *hit->action + 1)
-                  : "the part",
-      stage_text(hit->stage));
+  return fmt::format("{} {} deep in {} {}", rounded(hit->depth), unit,
+                     hit->action ? action_title(plan, *hit->action) : "the part", stage_text(hit->stage));
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -120,6 +121,19 @@ Pull PullFinder::in_the_middle(std::span<const UndercutSample> samples, const Pu
   pull.direction = centred;
   pull.source = PullSource::even;
   pull.interval = {-half_deg, half_deg};
+  return pull;
+}
+
+Pull PullFinder::on_axis(std::span<const UndercutSample> samples, Pull pull) const {
+  constexpr double k_near_deg = 0.1;
+  const glm::dvec3 axis = glm::round(pull.direction);
+  const double sine = glm::length(glm::cross(pull.direction, axis));
+  if (glm::dot(axis, axis) != 1.0 || sine == 0.0 || sine > std::sin(glm::radians(k_near_deg)) ||
+      pull.source == PullSource::wish || !release_.releases(samples, axis, k_never))
+    return pull;
+  const double turn_deg = turn_between(pull.direction, axis, direction_);
+  pull.direction = axis;
+  pull.interval = {pull.interval.from_deg - turn_deg, pull.interval.to_deg - turn_deg};
   return pull;
 }
 

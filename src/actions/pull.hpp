@@ -103,6 +103,8 @@ class PullFinder {
   [[nodiscard]] Pull in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,
                                    ActionKind kind, double resolved_deg,
                                    std::span<const PullCandidate> others = {}) const;
+  /// The pull along an axis of the file instead, if one is within 0.1 degrees and releases the samples, too.
+  [[nodiscard]] Pull on_axis(std::span<const UndercutSample> samples, Pull pull) const;
   /// The travel beyond which the part passes, on the side on which it is shorter, to a step of so much; and
   /// the way out.
   void set_travel(std::span<const UndercutSample> samples, double step, Pull& pull) const;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace moldlight {
 
@@ -31,6 +32,19 @@ const SideAction* action_of(const ActionPlan& plan, std::size_t undercut) {
     return std::ranges::find(action.undercuts, undercut) != action.undercuts.end();
   });
   return found == plan.actions.end() ? nullptr : &*found;
+}
+
+std::string action_title(const ActionPlan& plan, std::size_t action) {
+  return fmt::format("{} {}", facts(plan.actions[action].kind).singular, action + 1);
+}
+
+std::string released_by_text(const ActionPlan& plan, std::size_t undercut) {
+  std::vector<std::string> titles;
+  for (std::size_t k = 0; k < plan.actions.size(); ++k)
+    if (std::ranges::count(plan.actions[k].undercuts, undercut) > 0) titles.push_back(action_title(plan, k));
+  if (titles.empty()) return unreleased_text(plan, undercut);
+  const bool in_part = std::ranges::count(plan.unreleased, undercut) > 0;
+  return fmt::format("{}{}", fmt::join(titles, " and "), in_part ? ", in part" : "");
 }
 
 std::string unreleased_text(const ActionPlan& plan, std::size_t undercut) {

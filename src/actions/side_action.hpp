@@ -157,6 +157,10 @@ struct ActionTotals {
 
 /// The action that releases an undercut, or the largest part of it; null for none.
 [[nodiscard]] const SideAction* action_of(const ActionPlan& plan, std::size_t undercut);
+/// "slide 1", numbered by the plan from 1.
+[[nodiscard]] std::string action_title(const ActionPlan& plan, std::size_t action);
+/// What releases an undercut: "slide 1", "slide 1 and lifter 3, in part"; else unreleased_text().
+[[nodiscard]] std::string released_by_text(const ActionPlan& plan, std::size_t undercut);
 /// Why an undercut among the unreleased is left, or the rest of it: "no slide releases it", "left as it is",
 /// …
 [[nodiscard]] std::string unreleased_text(const ActionPlan& plan, std::size_t undercut);

@@ -1,7 +1,6 @@
 #include "base/similar_word.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -45,6 +44,11 @@ std::string did_you_mean(std::string_view typed, std::span<const std::string_vie
   }
   const std::string guess = nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
   return advice.empty() ? guess : fmt::format("{}{}{}", guess, guess.empty() ? "; " : " ", advice);
+}
+
+std::string did_you_mean(std::string_view typed, const std::vector<std::string>& known,
+                         std::string_view advice) {
+  return did_you_mean(typed, std::vector<std::string_view>(known.begin(), known.end()), advice);
 }
 
 }  // namespace moldlight

@@ -209,7 +209,7 @@ class Slots {
 std::span<const Option<RunSettings>> run_options() {
   using S = RunSettings;
   static const std::vector<Option<S>> k_options = {
-      {"processes", "--processes", "Processes", "", "Number of parts at a time. 0: one per core.",
+      {"processes", "--jobs", "Jobs", "", "Number of parts at a time. 0: one per core.",
        IntegerKind<S>{&S::processes, 0, 4096}},
       {"part_time_s", "--part-time", "Time limit of a part", "s",
        "A part that takes longer fails. 0: no limit.", RealKind<S>{&S::part_time_s, 0.0, 1e7, 1.0}},

@@ -80,7 +80,7 @@ void add_bodies(std::string& text, const PartModel& model) {
   std::size_t number = 0;
   for (const Body& body : model.part.bodies) {
     const BodyFigures measured = measure_body(model, body);
-    fmt::format_to(out, "  {:>3}  {:>8} facets, area {} {}, center {}{}{}\n", ++number, body.facet_count,
+    fmt::format_to(out, "  {:>3}  {:>8} facets, area {} {}, centre {}{}{}\n", ++number, body.facet_count,
                    figure(measured.area), powered_unit(model.part, 2),
                    figures(measured.bounds.center(), model.frame.diagonal), body.name.empty() ? "" : "  ",
                    clean_name(body.name));
@@ -150,11 +150,11 @@ std::string info_text(const PartModel& model, const DefectPlaces& places) {
   const std::size_t sources = source_count(part);
   fmt::format_to(out, "part        {}\n", part_name(part));
   fmt::format_to(out, "format      {}, {}\n", part.format,
-                 part.unit.empty() ? "which names no unit" : "unit " + part.unit);
+                 part.unit.empty() ? "which names no unit; --unit sets it" : "unit " + part.unit);
   fmt::format_to(
       out, "facets      {}{}\n", health.facets,
       sources == 0 ? "" : fmt::format(", of {} {}", sources, part.has_cad_faces ? "faces" : "polygons"));
-  fmt::format_to(out, "vertices    {}\ncomponents  {}\n", health.vertices, health.components);
+  fmt::format_to(out, "vertices    {}\nbodies      {}\n", health.vertices, health.components);
   fmt::format_to(out, "size        {} {}\n",
                  figures(health.bounds.max - health.bounds.min, model.frame.diagonal), length_unit(part));
   fmt::format_to(out, "from, to    {} … {}\n", figures(health.bounds.min, model.frame.diagonal),

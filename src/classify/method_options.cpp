@@ -114,7 +114,7 @@ std::span<const Option<LookSettings>> look_options() {
   using S = LookSettings;
   static const std::vector<Option<S>> k_options = {
       {"palette", "--palette", "Palette", "",
-       "Paper: core blue, cavity green, both gray, undercut red. Safe: for colour-blind eyes.",
+       "Paper: core blue, cavity green, both grey, undercut red. Safe: for colour-blind eyes.",
        choice<&S::palette>({"paper", "safe"})},
       {"colouring", "--colouring", "Colour by", "", "Colour the surface by region or by draft angle.",
        choice<&S::colour_mode>({"regions", "draft"})},

@@ -18,9 +18,14 @@ T parse_number(const GivenText& given, std::string_view kind) {
   std::string_view text = given.text;
   while (text.starts_with(' ')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
-  const auto value = number_from<T>(text.substr(text.starts_with('+') ? 1 : 0));
-  if (!value) throw UsageError(fmt::format("{}: '{}' is not {}", given.what, shown_text(text), kind));
-  return *value;
+  const auto number = [](std::string_view digits) {
+    return number_from<T>(digits.substr(digits.starts_with('+') ? 1 : 0));
+  };
+  if (const auto value = number(text)) return *value;
+  std::string plain(text.substr(0, text.find_last_of("0123456789") + 1));  // without a unit
+  if (const std::size_t comma = plain.find(','); comma != std::string::npos) plain[comma] = '.';
+  throw UsageError(fmt::format("{}: '{}' is not {}{}", given.what, shown_text(text), kind,
+                               number(plain) ? "; write " + plain : ""));
 }
 
 template <typename T>
@@ -69,6 +74,8 @@ bool parse_switch(const GivenText& given) {
 glm::dvec3 parse_direction(const GivenText& given) {
   glm::dvec3 direction(0.0);
   std::string_view rest = given.text;
+  while (rest.starts_with(' ')) rest.remove_prefix(1);
+  while (rest.ends_with(' ')) rest.remove_suffix(1);
   const bool signed_axis = rest.size() == 2 && (rest[0] == '+' || rest[0] == '-');
   constexpr std::string_view k_axes = "xyzXYZ";
   const std::size_t named =
@@ -84,7 +91,6 @@ glm::dvec3 parse_direction(const GivenText& given) {
       const bool blank = c == ' ', fresh = with_commas.empty() || with_commas.back() == ',';
       if (!blank || !fresh) with_commas += blank ? ',' : c;
     }
-    if (rest.ends_with(' ') && with_commas.ends_with(',')) with_commas.pop_back();
     rest = with_commas;
   }
   for (int axis = 0; axis < 3; ++axis) {

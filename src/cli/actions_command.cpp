@@ -28,7 +28,6 @@ struct ActionsFlags : StudyFlags {
 
 int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   validate(flags.query.method);
-  if (!flags.mesh.empty()) check_mesh_extension(flags.mesh);
   check_outputs(flags,
                 {{"--csv", flags.csv},
                  {"--mesh", flags.mesh},

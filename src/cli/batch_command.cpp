@@ -328,6 +328,9 @@ void add_run(CLI::App& batch, Request& request) {
   add_folder(*command, flags->folder);
   add_shard_flag(*command, flags->shard);
   add_option_flags(*command, run_options(), flags->settings);
+  add_text_flag(*command, {"--processes", "N", "The same as --jobs"}, [flags](const std::string& text) {
+    set_option(option_named(run_options(), "processes"), flags->settings, text);
+  });
   add_file_flag(*command, flags->parts,
                 {"--parts", "DIR", "Folder of the parts on this machine, if it differs from the plan"});
   command->add_flag("--fail-on-error", flags->fail_on_error,

@@ -6,10 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/similar_word.hpp"
 #include "batch/part_result.hpp"
 #include "classify/json.hpp"
 #include "cli/console.hpp"
 #include "cli/flags.hpp"
+#include "cli/help.hpp"
 
 namespace moldlight::cli {
 
@@ -34,9 +36,7 @@ ParsedWork parse(const std::string& command, const std::vector<std::string>& fla
   try {
     program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
-    const auto more = program.remaining(true);
-    const std::string what = more.empty() ? error.what() : "there is no option " + more.front();
-    throw UsageError(fmt::format("{}; see moldlight {} --help", what, command));
+    throw UsageError(fault_text(program, error));
   }
   ParsedWork parsed;
   for (const CLI::Option* option : program.get_subcommands().front()->get_options()) {
@@ -64,6 +64,16 @@ std::vector<std::string> words_of(const std::vector<batch::NamedValue>& given) {
   return words;
 }
 
+/// Commands that can be the work, in the order in which the help has them.
+std::vector<std::string> works() {
+  std::vector<CommandRow> rows = commands();
+  std::erase_if(rows, [](const CommandRow& row) { return row.work_place == 0; });
+  std::ranges::sort(rows, {}, &CommandRow::work_place);
+  std::vector<std::string> names;
+  for (const CommandRow& row : rows) names.emplace_back(row.name);
+  return names;
+}
+
 /// Flags that `classify` has as well, whatever the work.
 bool is_of_every_work(const std::string& name) {
   const auto names = [&](const auto& option) { return option.flag == "--" + name; };
@@ -73,21 +83,20 @@ bool is_of_every_work(const std::string& name) {
 }  // namespace
 
 std::string work_names() {
-  std::vector<CommandRow> rows = commands();
-  std::erase_if(rows, [](const CommandRow& row) { return row.work_place == 0; });
-  std::ranges::sort(rows, {}, &CommandRow::work_place);
+  const std::vector<std::string> names = works();
   std::string text;
-  for (const CommandRow& row : rows)
-    text += fmt::format("{}{}", &row == &rows.front() ? "" : &row == &rows.back() ? " or " : ", ", row.name);
+  for (const std::string& name : names)
+    text += fmt::format("{}{}", &name == &names.front() ? "" : &name == &names.back() ? " or " : ", ", name);
   return text;
 }
 
 const CommandRow& work_row(std::string_view command) {
   const auto row = std::ranges::find(commands(), command, &CommandRow::name);
   if (row == commands().end() || row->work_place == 0)
-    throw UsageError(
-        fmt::format("{} cannot be the work of a batch; choose {}, and put a pattern of parts in quotes",
-                    one_line(command), work_names()));
+    throw UsageError(fmt::format(
+        "{} cannot be the work of a batch{}", one_line(command),
+        did_you_mean(command, works(),
+                     fmt::format("choose {}, and put a pattern of parts in quotes", work_names()))));
   return *row;
 }
 

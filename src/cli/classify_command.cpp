@@ -36,8 +36,6 @@ void check_files(const ClassifyFlags& flags) {
   if (!flags.draft.empty() && flags.draft_settings.required_deg <= 0.0 && flags.finish.empty())
     throw UsageError("--draft needs --required-draft or --finish");
   const OutputPaths& files = flags.files;
-  if (!files.mesh.empty()) check_mesh_extension(files.mesh);
-  if (!files.borders.empty()) check_border_extension(files.borders);
   check_outputs(flags,
                 {{"--facets", files.facets},
                  {"--faces", files.faces},

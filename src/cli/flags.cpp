@@ -1,18 +1,18 @@
 #include "cli/flags.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "base/shown_text.hpp"
 #include "classify/option_json.hpp"
 #include "io/part_formats.hpp"
 
 namespace moldlight::cli {
 
 std::string names_of(std::string_view flag) {
-  for (const auto& [letter, name] : {std::pair("-u", "--unit"), {"-j", "--jobs"}})
+  for (const auto& [letter, name] : {std::pair("-u", "--unit"), {"-j", "--jobs"}, {"-d", "--direction"}})
     if (flag == name) return fmt::format("{},{}", letter, name);
   return std::string(flag);
 }
@@ -27,24 +27,26 @@ CLI::Validator named() {
   return {[](std::string& name) { return name.empty() ? "the name is empty" : std::string(); }, ""};
 }
 
-namespace {
-/// Refuses a name that says that something else is in the file.
-CLI::Validator png_named() {
-  return {[](std::string& name) {
-            std::string extension = std::filesystem::path(name).extension().string();
-            std::ranges::transform(extension, extension.begin(),
-                                   [](unsigned char c) { return std::tolower(c); });
-            return extension.empty() || extension == ".png" ? std::string()
-                                                            : name + ": pictures are PNG; name it .png";
+CLI::Validator named_as(const std::string& value) {
+  std::vector<std::string> known = CLI::detail::split(value.substr(value.find('.') + 1), '|');
+  for (std::string& extension : known) std::erase_if(extension, [](char c) { return c == '(' || c == ')'; });
+  return {[known](std::string& name) {
+            const std::string extension = lower_extension(name);
+            const bool fits =
+                std::ranges::count(known, extension) > 0 || (extension.empty() && known.size() == 1);
+            std::string names = fmt::format(".{}", fmt::join(known, ", ."));
+            if (const std::size_t last = names.rfind(','); last != std::string::npos)
+              names.replace(last, 1, " or");
+            return fits ? std::string()
+                        : fmt::format("{} has another format; name it {}", one_line(name), names);
           },
           ""};
 }
-}  // namespace
 
 CLI::Option* add_file_flag(CLI::App& command, std::string& path, const FlagTexts& flag) {
   CLI::Option* option =
       command.add_option(flag.name, path, flag.help)->option_text(flag.value)->check(named());
-  if (flag.value == "FILE.png") option->check(png_named());
+  if (flag.value == "FILE.png" || flag.value.starts_with("FILE.(")) option->check(named_as(flag.value));
   return option;
 }
 

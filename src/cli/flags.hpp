@@ -31,7 +31,9 @@ CLI::Option* add_text_flag(CLI::App& command, const FlagTexts& flag,
                            std::function<void(const std::string&)> parse);
 /// Refuses an empty name of a file or folder, such as a script's unset variable gives.
 [[nodiscard]] CLI::Validator named();
-/// A file or folder, named().
+/// Refuses a file whose extension is none of those of `value`, "FILE.png" or "FILE.(ply|obj|stl)".
+[[nodiscard]] CLI::Validator named_as(const std::string& value);
+/// A file or folder, named(), and named_as() where its format follows from the name.
 CLI::Option* add_file_flag(CLI::App& command, std::string& path, const FlagTexts& flag);
 /// Adds --size; `least` is in pixels.
 CLI::Option* add_size_flag(CLI::App& command, glm::ivec2& size, const std::string& help,
@@ -72,12 +74,18 @@ template <typename S>
   return "N";
 }
 
+/// A greatest value from here on stands for none.
+inline constexpr double k_no_limit = 1e6;
+
 /// The option's help with range and default.
 template <typename S>
 [[nodiscard]] std::string flag_help(const Option<S>& option, const S& defaults) {
   const std::string range =
       std::visit(moldlight::detail::Overloaded{
-                     [](const RealKind<S>& kind) { return fmt::format("{:g} to {:g}", kind.min, kind.max); },
+                     [](const RealKind<S>& kind) {
+                       return kind.max < k_no_limit ? fmt::format("{:g} to {:g}", kind.min, kind.max)
+                                                    : fmt::format("{:g} or more", kind.min);
+                     },
                      [](const PositiveKind<S>& kind) {
                        return std::isfinite(kind.max) ? fmt::format("up to {:g}", kind.max) : std::string();
                      },

@@ -4,8 +4,10 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/shown_text.hpp"
+#include "base/similar_word.hpp"
 
 namespace moldlight::cli {
 
@@ -15,9 +17,9 @@ constexpr std::size_t k_help_width = 104;
 
 /// In the order in which the help has them.
 constexpr std::array<std::string_view, 13> k_groups = {
-    "Part",         "Direction", "Search", "Tolerances and rules",
-    "Side actions", "Work",      "Result", "Title block of the report",
-    "Pictures",     "Window",    "Gates",  "Expert: shadow maps",
+    "Part",         "Direction", "Search",       "Tolerances and rules",
+    "Side actions", "Work",      "Result",       "Title block of the report",
+    "Pictures",     "Window",    "Pass or fail", "Expert: shadow maps",
     "Program"};
 
 struct FlagGroup {
@@ -39,7 +41,7 @@ const std::vector<FlagGroup>& flag_groups() {
        {"actions", "slide-angle", "incline", "lifter-angle", "lifter-room", "lifter-section", "clearance",
         "strip-strain", "bundle-across", "bundle-along", "side-direction", "pins", "least-travel",
         "pin-diameter", "prices"}},
-      {"Work", {"anew", "shard", "processes", "part-time", "part-memory", "retries", "retry-failed"}},
+      {"Work", {"anew", "shard", "part-time", "part-memory", "retries", "retry-failed"}},
       {"Result", {"json",      "html",    "live",  "pdf", "paper",      "facets",  "faces",   "mesh",
                   "split-dir", "borders", "draft", "csv", "bodies",     "lines",   "out",     "3mf",
                   "wide",      "sqlite",  "merge", "top", "thumbnails", "reports", "missing", "form"}},
@@ -51,11 +53,12 @@ const std::vector<FlagGroup>& flag_groups() {
       {"Window",
        {"settings", "screenshot", "script", "scale", "benchmark", "ui-scale", "navigation", "motion",
         "auto-reload", "quick-sweep"}},
-      {"Gates", {"baseline", "fail-on", "junit", "fail-if-undercut", "fail-unless-proved", "fail-on-error"}},
+      {"Pass or fail",
+       {"baseline", "fail-on", "junit", "fail-if-undercut", "fail-unless-proved", "fail-on-error"}},
       {"Expert: shadow maps",
        {"kernel", "kernel-shape", "edge-thickness", "resolution", "readout", "samples", "backend",
         "compare-maps", "regions", "mark-difference", "engine"}},
-      {"Program", {"help", "quiet", "verbose", "version", "jobs"}}};
+      {"Program", {"help", "quiet", "verbose", "version", "jobs", "processes"}}};
   return k_rows;
 }
 
@@ -71,7 +74,7 @@ void arrange(CLI::App& command, const std::string& name) {
     if (!option->get_positional()) option->group(group_of(*option));
   std::string footer;
   for (const CommandExample& example : command_examples())
-    if (example.command == name)
+    if (example.command == name || example.command.starts_with(name + " "))
       footer +=
           fmt::format("{}\n  {}:\n    {}", footer.empty() ? "Examples:" : "", example.what_for, example.line);
   if (!footer.empty()) command.footer("\n" + footer);
@@ -97,8 +100,7 @@ const std::vector<CommandExample>& command_examples() {
       {"view", "Open the window with a part", "moldlight view clip.step"},
       {"batch plan", "Plan all parts of a folder along their best direction",
        "moldlight batch plan parts -o results -- classify -d best"},
-      {"batch run", "Work until all is done, four parts at a time",
-       "moldlight batch run results --processes 4"},
+      {"batch run", "Work until all is done, four parts at a time", "moldlight batch run results --jobs 4"},
       {"batch status", "Count the parts that are done, failed and left", "moldlight batch status results"},
       {"batch merge", "Collect the results in one table", "moldlight batch merge results --csv results.csv"},
       {"doctor", "Check drivers and helper programs after an installation", "moldlight doctor"},
@@ -119,6 +121,40 @@ std::vector<std::string> flags_of(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
   return flags;
+}
+
+std::vector<std::string> command_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* part : command.get_subcommands(nullptr)) names.push_back(part->get_name());
+  return names;
+}
+
+std::string fault_text(const CLI::App& program, const CLI::ParseError& error) {
+  const CLI::App* used = &program;
+  std::string command = "moldlight";
+  while (!used->get_subcommands().empty()) {
+    used = used->get_subcommands().front();
+    command += " " + used->get_name();
+  }
+  const std::string advice = "see " + command + " --help";
+  std::string fault = error.what();
+  for (const auto& [raw, plain] : {std::pair(" requires ", " needs "), {" excludes ", " cannot go with "}})
+    fault = CLI::detail::find_and_replace(fault, raw, plain);
+  // A mistyped option is why another one is missing.
+  const std::vector<std::string> more = program.remaining(true);
+  const auto unknown = std::ranges::find_if(more, [](const auto& word) { return word.starts_with('-'); });
+  if (unknown != more.end())
+    return "there is no option " + one_line(*unknown) + did_you_mean(*unknown, flags_of(*used), advice);
+  if (const std::vector<std::string> parts = command_names(*used); !parts.empty())
+    return fmt::format("which command? {} {} …; {}", command, fmt::join(parts, "|"), advice);
+  if (fault.ends_with(" missing")) return fault.substr(0, fault.find(':')) + " needs a value; " + advice;
+  for (const CLI::Option* option : used->get_options())
+    if (const std::string name = option->get_name();
+        option->get_positional() && fault == name + " is required")
+      return fmt::format("{}? {} {} …; {}", name == "DIR" ? "which batch" : "which part", command,
+                         used->get_name() == "compare" ? "A B" : name, advice);
+  if (!more.empty()) return fmt::format("'{}' is one word too many; {}", one_line(more.front()), advice);
+  return fault + "; " + advice;
 }
 
 std::string HelpFormatter::make_help(const CLI::App* command, std::string name,

@@ -31,5 +31,10 @@ struct CommandExample {
 
 /// The command's flags, with their dashes.
 [[nodiscard]] std::vector<std::string> flags_of(const CLI::App& command);
+/// Names of its subcommands.
+[[nodiscard]] std::vector<std::string> command_names(const CLI::App& command);
+
+/// One line: what is wrong with the command line that `program` has refused, and what to type instead.
+[[nodiscard]] std::string fault_text(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace moldlight::cli

@@ -11,10 +11,12 @@
 #include <system_error>
 #include <vector>
 
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/shown_text.hpp"
 #include "base/similar_word.hpp"
 #include "base/threads.hpp"
 #include "cli/flags.hpp"
@@ -74,10 +76,16 @@ void insert_default_command(const CLI::App& program, std::vector<std::string>& a
     arguments.back() = "--help";
   }
   if (arguments.front().starts_with('-')) return;
-  std::vector<std::string_view> commands;
   for (const CLI::App* command : program.get_subcommands(nullptr)) {
-    if (command->get_name() == arguments.front()) return;
-    commands.push_back(command->get_name());
+    if (command->get_name() != arguments.front()) continue;
+    const std::vector<std::string> parts = command_names(*command);
+    if (parts.empty() || arguments.size() == 1 || arguments[1].starts_with('-') ||
+        std::ranges::count(parts, arguments[1]) > 0)
+      return;
+    throw UsageError(
+        fmt::format("{} {}: no such command{}", arguments[0], one_line(arguments[1]),
+                    did_you_mean(arguments[1], parts,
+                                 fmt::format("moldlight {} --help lists the commands", arguments[0]))));
   }
   // A mistyped command is not to open a window.
   const std::filesystem::path file(arguments.front());
@@ -85,8 +93,9 @@ void insert_default_command(const CLI::App& program, std::vector<std::string>& a
   const bool names_a_file =
       std::filesystem::exists(file, ignored) || file.has_extension() || file.has_parent_path();
   if (!names_a_file) {
-    throw UsageError(arguments.front() + ": no such command or file" +
-                     did_you_mean(arguments.front(), commands, "moldlight --help lists the commands"));
+    throw UsageError(
+        arguments.front() + ": no such command or file" +
+        did_you_mean(arguments.front(), command_names(program), "moldlight --help lists the commands"));
   }
   arguments.insert(arguments.begin(), "view");
 }
@@ -110,24 +119,7 @@ int run_program(std::vector<std::string> arguments, Console& console) {
     console.result(text.str());
     return code;
   } catch (const CLI::ParseError& error) {
-    const CLI::App* used = &program;
-    std::string command;
-    while (!used->get_subcommands().empty()) {
-      used = used->get_subcommands().front();
-      command += used->get_name() + " ";
-    }
-    // A mistyped option is why another one is missing.
-    const auto more = program.remaining(true);
-    const auto unknown = std::ranges::find_if(more, [](const auto& word) { return word.starts_with('-'); });
-    const std::string advice = "see moldlight " + command + "--help";
-    const std::string fault = error.what();
-    if (unknown == more.end() && fault.ends_with(" missing"))
-      throw UsageError(fault.substr(0, fault.find(':')) + " needs a value; " + advice);
-    if (unknown == more.end()) throw UsageError(fault + "; " + advice);
-    const std::vector<std::string> flags = flags_of(*used);
-    throw UsageError(
-        "there is no option " + *unknown +
-        did_you_mean(*unknown, std::vector<std::string_view>(flags.begin(), flags.end()), advice));
+    throw UsageError(fault_text(program, error));
   }
   console.set_verbosity(request.quiet     ? Verbosity::quiet
                         : request.verbose ? Verbosity::verbose

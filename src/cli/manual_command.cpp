@@ -54,16 +54,15 @@ struct CommandGroup {
 std::vector<CommandGroup> groups_of(const CLI::App& program) {
   std::vector<CommandGroup> groups;
   for (const CLI::App* command : program.get_subcommands(nullptr)) {
-    CommandGroup group{command->get_name(), {}};
-    for (const CLI::App* part : command->get_subcommands(nullptr)) group.words.push_back(part->get_name());
+    CommandGroup group{command->get_name(), command_names(*command)};
     if (!group.words.empty()) groups.push_back(std::move(group));
   }
   return groups;
 }
 
 struct FlagText {
-  std::string name, value, help;
-  std::vector<std::string> words;  // values that it takes, where they are few
+  std::string name, value, help, letter;  // letter: "-d"; empty where there is none
+  std::vector<std::string> words;         // values that it takes, where they are few
 };
 
 std::vector<FlagText> flag_texts(const CLI::App& command) {
@@ -71,7 +70,8 @@ std::vector<FlagText> flag_texts(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_lnames().empty()) continue;
     FlagText text{
-        "--" + option->get_lnames().front(), option->get_option_text(), option->get_description(), {}};
+        "--" + option->get_lnames().front(), option->get_option_text(), option->get_description(), {}, {}};
+    if (!option->get_snames().empty()) text.letter = "-" + option->get_snames().front();
     const bool is_list = text.value.find('|') != std::string::npos;
     // Capitals stand for something else: FILE, N, …
     if (is_list && std::ranges::none_of(text.value, [](char c) { return c >= 'A' && c <= 'Z'; }))
@@ -105,7 +105,8 @@ std::string manual(const CLI::App& program) {
     text += fmt::format(".B moldlight {}\n{}[\\fIflags\\fR]\n.br\n", name, places);
     commands += fmt::format(".SH MOLDLIGHT {}\n{}.\n", name, roff(command->get_description()));
     for (const FlagText& flag : flag_texts(*command))
-      commands += fmt::format(".TP\n\\fB{}\\fR \\fI{}\\fR\n{}.\n", roff(flag.name), roff(flag.value),
+      commands += fmt::format(".TP\n\\fB{}\\fR \\fI{}\\fR{}\n{}.\n", roff(flag.name), roff(flag.value),
+                              flag.letter.empty() ? "" : fmt::format(", \\fB{}\\fR", roff(flag.letter)),
                               roff(flag.help));
   }
   text += fmt::format(".SH DESCRIPTION\n{}.\n", roff(program.get_description())) + commands;
@@ -215,8 +216,8 @@ std::string flag_lists(const CLI::App& program) {
   for (const auto& [name, command] : commands_of(program)) {
     text += fmt::format("\n## {}\n\n{}.\n\n", name, command->get_description());
     for (const FlagText& flag : flag_texts(*command))
-      text +=
-          fmt::format("- `{}{}{}`: {}.\n", flag.name, flag.value.empty() ? "" : " ", flag.value, flag.help);
+      text += fmt::format("- `{}{}{}`{}: {}.\n", flag.name, flag.value.empty() ? "" : " ", flag.value,
+                          flag.letter.empty() ? "" : fmt::format(", `{}`", flag.letter), flag.help);
   }
   return text;
 }
@@ -247,9 +248,11 @@ void add_manual_command(CLI::App& program, Request& request) {
       "manual", "Print the manual page, a shell completion, or flags and keys in Markdown");
   const auto flags = std::make_shared<ManualFlags>();
   flags->program = &program;
-  command->add_option("--form", flags->form, "Form of the output [default man]")
-      ->option_text("man|bash|zsh|flags|keys")
-      ->check(CLI::IsMember({"man", "bash", "zsh", "flags", "keys"}));
+  add_text_flag(*command, {"--form", "man|bash|zsh|flags|keys", "Form of the output [default man]"},
+                [flags](const std::string& text) {
+                  static_cast<void>(parse_word({text, "--form"}, {"man", "bash", "zsh", "flags", "keys"}));
+                  flags->form = text;
+                });
   set_work(*command, request, flags, run);
 }
 

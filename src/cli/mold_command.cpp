@@ -26,10 +26,7 @@ struct MoldFlags : StudyFlags {
 int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   validate(flags.query.method);
   std::vector<NamedPath> lines;
-  for (const std::string& path : flags.lines) {
-    check_line_extension(path);
-    lines.push_back({"--lines", path});
-  }
+  for (const std::string& path : flags.lines) lines.push_back({"--lines", path});
   check_outputs(flags, lines, {"--out", flags.folder});
   Baseline baseline(flags.baseline, flags.command, flags.part.part);
   // Before long work, which would be for nothing where there is none.
@@ -77,7 +74,7 @@ void add_mold_command(CLI::App& program, Request& request) {
                    "Write the parting line: DXF or STEP for CAD, SVG in millimetres as seen along the "
                    "direction. May be given several times")
       ->option_text("FILE.(" + extensions_text(line_formats()) + ")")
-      ->check(named())
+      ->check(named_as(extensions_text(line_formats())))
       ->allow_extra_args(false);
   CLI::Option* folder =
       add_file_flag(*command, flags->folder,

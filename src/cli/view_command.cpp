@@ -1,9 +1,12 @@
 // moldlight view: the window, or its picture where there is no display.
+#include <cerrno>
+#include <cstring>
 #include <memory>
 #include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "base/error.hpp"
 #include "classify/frame_benchmark.hpp"
@@ -63,6 +66,10 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
   }
   if (!flags.compare.empty() && flags.part.empty()) throw UsageError("--compare needs a PART");
   if (flags.screenshot.empty()) {
+    // Before the display, which may be missing, too.
+    for (const std::string& file : {flags.part, flags.compare})
+      if (!file.empty() && ::access(file.c_str(), R_OK) != 0)
+        throw FileError(file, "", fmt::format("cannot be opened: {}", std::strerror(errno)));
     gui::run_window({.part = flags.part,
                      .compare = flags.compare,
                      .reading = flags.reading,
@@ -112,11 +119,12 @@ void add_view_command(CLI::App& program, Request& request) {
                 {"--screenshot", "OUT.png",
                  "Write a picture of the window instead of opening it. No display is needed"});
   add_size_flag(*command, flags->size, "Size of the window's picture", k_least_size);
-  command
-      ->add_option("--scale", flags->scale,
-                   "Content scale of the picture, as on a high-resolution monitor [0.5 to 4; default 1]")
-      ->option_text("FACTOR")
-      ->check(CLI::Range(0.5F, 4.0F));
+  add_text_flag(*command,
+                {"--scale", "FACTOR",
+                 "Content scale of the picture, as on a high-resolution monitor [0.5 to 4; default 1]"},
+                [flags](const std::string& text) {
+                  flags->scale = static_cast<float>(parse_real({text, "--scale"}, 0.5, 4.0));
+                });
   add_file_flag(*command, flags->script,
                 {"--script", "EVENTS.json", "Play these input events before the picture"});
   command->add_flag("--benchmark", flags->benchmark,

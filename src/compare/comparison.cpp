@@ -233,7 +233,7 @@ std::string steel_owner_text(const Comparison& comparison, const SteelOwner& own
   if (owner.side != MoldSide::action) return std::string(side_name(owner.side));
   const std::optional<ActionPlan>& plan = (is_cut ? comparison.a : comparison.b).plan;
   if (!owner.action || !plan) return "side action";
-  return fmt::format("{} {}", facts(plan->actions[*owner.action].kind).singular, *owner.action + 1);
+  return action_title(*plan, *owner.action);
 }
 
 std::string steel_of_text(const Comparison& comparison, const SteelChange& steel, bool is_cut) {

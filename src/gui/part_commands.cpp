@@ -94,7 +94,7 @@ void Commands::look_at_speck() {
   constexpr double k_reach = 0.1;  // unit frame
   const Speck& speck = plan->specks.front();
   const FigureStyle style(model);
-  say(fmt::format("The largest ignored mark: {}, {}", style.with_unit(FigureKind::area, speck.area),
+  say(fmt::format("The largest tiny undercut: {}, {}", style.with_unit(FigureKind::area, speck.area),
                   speck_text(speck.reason)),
       false);
   app.fitted_points_ = points_around(model.frame.to_unit(speck.place), k_reach);

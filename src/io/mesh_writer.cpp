@@ -220,14 +220,6 @@ std::span<const WrittenFormat<SplitMesh>> border_formats() {
   return k_formats;
 }
 
-void check_mesh_extension(const std::string& path) {
-  static_cast<void>(format_of(path, mesh_formats(), "a mesh is"));
-}
-
-void check_border_extension(const std::string& path) {
-  static_cast<void>(format_of(path, border_formats(), "borders are"));
-}
-
 void write_grouped_mesh(const std::string& path, const GroupedMesh& grouped) {
   CHECK(grouped.of_facet.size() == grouped.mesh.facets.size() && grouped.groups.size() <= 65536);
   format_of(path, mesh_formats(), "a mesh is").write(path, grouped);

@@ -77,9 +77,6 @@ void write_stl(const std::string& path, const TriangleMesh& mesh, Colour colour)
 /// The file beside an .obj that write_coloured_mesh writes, too; empty for others.
 [[nodiscard]] std::string material_library_path(const std::string& path);
 
-/// Throws UsageError where write_coloured_mesh would for the extension: to be asked before long work.
-void check_mesh_extension(const std::string& path);
-
 /// Writes the facets of each region to <folder>/<stem>_core.stl, …_cavity.stl, …_both.stl, …_undercut.stl
 /// (coloured binary STL), making the folder. A region without facets gets no file, and a former file of its
 /// name goes. Returns the paths.
@@ -93,9 +90,6 @@ std::vector<std::string> write_region_stls(const std::string& folder, const std:
 ///       the walk as seen from outside; the first point of a closed chain comes again as its last.
 /// Throws UsageError for another extension, FileError where it cannot be written.
 void write_borders(const std::string& path, const SplitMesh& mesh);
-
-/// Throws UsageError where write_borders would for the extension: to be asked before long work.
-void check_border_extension(const std::string& path);
 
 /// Binary STL, coordinates in single precision, normals left to readers; the file is replaced whole or not at
 /// all. Throws FileError.

@@ -78,6 +78,8 @@ Part AsciiStlParser::parse() {
       without_begin_.add(words_.line());
       words_ = before;
       parse_solid("");
+    } else if (corners_.empty()) {
+      context_.fail(place(), "is text, but no STL, which begins with 'solid'; export the part again");
     } else {
       fail_expected("'solid'", word);
     }

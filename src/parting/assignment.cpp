@@ -10,6 +10,8 @@
 #include <glm/trigonometric.hpp>
 #include <tbb/parallel_for.h>
 
+#include "base/error.hpp"
+#include "classify/number_format.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/union_find.hpp"
 #include "parting/min_cut.hpp"
@@ -227,6 +229,19 @@ void sum_areas(const PartModel& model, const Costs& costs, Assignment& assignmen
   }
 }
 
+/// Throws UsageError for a height at which there is no part.
+void check_height(const PartModel& model, const glm::dvec3& direction, double height) {
+  std::vector<double> reach;
+  for (const glm::dvec3& vertex : model.part.mesh.vertices) reach.push_back(glm::dot(vertex, direction));
+  auto [low, high] = std::ranges::minmax(reach);
+  if (std::abs(low) < 1e-6 * model.frame.diagonal) low = 0.0;  // not "-0"
+  if (height < low || height > high)
+    throw UsageError(
+        fmt::format("--parting-height: {:.6g} is outside of the part, which reaches from {} to {} {} along "
+                    "the direction",
+                    height, rounded(low), rounded(high), length_unit(model.part)));
+}
+
 }  // namespace
 
 std::string_view side_name(MoldSide side) {
@@ -249,6 +264,7 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
   Assignment result;
   result.direction = exact.direction;
   result.mesh = exact_split(model.exact(progress), exact, progress).mesh;
+  if (settings.parting_height) check_height(model, result.direction, *settings.parting_height);
   progress.report("assigning", 0.0);
 
   result.edges = piece_edges(result.mesh);

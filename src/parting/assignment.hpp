@@ -43,7 +43,7 @@ struct Assignment {
   [[nodiscard]] double area(MoldSide side) const { return areas[static_cast<std::size_t>(side)]; }
 };
 
-/// Throws UsageError for faces that the part has not, Cancelled.
+/// Throws UsageError for faces that the part has not and for a parting height outside of it, Cancelled.
 [[nodiscard]] Assignment assign_sides(const PartModel& model, const Query& query,
                                       const MoldSettings& settings, const Progress& progress);
 

@@ -51,7 +51,10 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
   const double diagonal = model.frame.diagonal;
   const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
   std::size_t outer = 0, shut_offs = 0, breaks = 0;
-  double steepest = 0.0, steep = 0.0, flatness = 0.0, up_and_down = 0.0, draft = 0.0;
+  double flatness = 0.0, up_and_down = 0.0, draft = 0.0;
+  struct Steps {
+    double steepest_deg = 0.0, length = 0.0;
+  } of_outer, of_shut_offs;
   for (const PartingLoop& loop : line.loops) {
     if (loop.kind == LoopKind::action) continue;
     (loop.kind == LoopKind::outer ? outer : shut_offs) += 1;
@@ -61,8 +64,9 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
       draft = std::max(draft, loop.steep_draft_deg);
     }
     breaks += loop.breaks;
-    steepest = std::max(steepest, loop.steepest_deg);
-    steep += loop.steep_length;
+    Steps& steps = loop.kind == LoopKind::outer ? of_outer : of_shut_offs;
+    steps.steepest_deg = std::max(steps.steepest_deg, loop.steepest_deg);
+    steps.length += loop.steep_length;
   }
   if (outer == 0) return "No parting line: core and cavity do not meet.";
   const double climb = line.outer_high - line.outer_low;
@@ -81,11 +85,20 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
       more += ".";
     }
   }
-  text += steepest <= k_steep_deg
-              ? fmt::format(", no step steeper than {:.0f}°.", k_steep_deg)
-              : fmt::format(", {} of steps of up to {:.0f}°.", length(steep), std::floor(steepest));
-  text += more;
-  text += shut_offs == 0 ? " No shut-offs." : fmt::format(" {}.", plural(shut_offs, "shut-off"));
+  const auto steps_text = [&](std::string_view before, const Steps& steps) {
+    return steps.steepest_deg <= k_steep_deg
+               ? std::string()
+               : fmt::format("{}{} of steps of up to {:.0f}°", before, length(steps.length),
+                             std::floor(steps.steepest_deg));
+  };
+  const std::string outer_steps = steps_text(", ", of_outer),
+                    inner_steps = steps_text(" with ", of_shut_offs);
+  text += outer_steps.empty() && inner_steps.empty()
+              ? fmt::format(", no step steeper than {:.0f}°", k_steep_deg)
+              : outer_steps;
+  text += "." + more;
+  text +=
+      shut_offs == 0 ? " No shut-offs." : fmt::format(" {}{}.", plural(shut_offs, "shut-off"), inner_steps);
   if (line.smoothed_length > 1e-6 * diagonal || line.smoothed_climb > 1e-6 * diagonal)
     text +=
         fmt::format(" Smoothing made the line {} shorter and removed {} of climb.",

@@ -1,4 +1,4 @@
-// What a drawing has on top of a picture: numbers that point at places, and a bar that shows the scale.
+// Numbers that point at places of a picture, and a bar that shows the scale, drawn on top of it.
 #pragma once
 
 #include <span>

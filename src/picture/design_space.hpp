@@ -11,7 +11,7 @@
 
 namespace moldlight {
 
-/// What lies behind a page.
+/// The background of a page.
 [[nodiscard]] Colour picture_ground(bool dark);
 
 /// The colours that text and boxes on a picture take.
@@ -44,7 +44,7 @@ class DesignSpace {
   void text(const glm::dvec2& at, std::string_view words, const TextStyle& style) {
     canvas_.text(place(at), words, style);
   }
-  /// What fits into `width` of the design.
+  /// The beginning of the words that fits into `width` of the design.
   void elided(const glm::dvec2& at, std::string_view words, const TextStyle& style, double width) {
     canvas_.text(place(at), canvas_.elided(words, style, scale_ * width), style);
   }

@@ -116,7 +116,7 @@ void draw_table(DesignSpace& at, double top, const UndercutField& field, const S
   }
 }
 
-/// What the marks mean, below the map.
+/// The meaning of the marks, below the map.
 void draw_key(DesignSpace& at, const SphereContent& content, bool dark) {
   const double base = k_bottom + 40.0;
   at.text({k_map_centre.x, base},

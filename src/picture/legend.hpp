@@ -13,7 +13,7 @@
 
 namespace moldlight {
 
-/// What a legend says; all texts are ready to be shown.
+/// The texts and shares of a legend; all texts are ready to be shown.
 struct LegendContent {
   std::string title = {};
   std::vector<std::string> lines = {};                 // below the title

@@ -51,7 +51,7 @@ void draw_open_caps(Canvas& canvas, const MapPlace& place, const std::vector<Sph
 /// A small sample of such a ring, for a legend.
 void draw_open_sample(Canvas& canvas, const glm::dvec2& at, double scale);
 
-/// What stands for directions of which nothing is known, in a box.
+/// The pattern of directions of which nothing is known, in a box.
 void draw_unknown(Canvas& canvas, const Box& box, const LegendStyle& style);
 
 /// A small sample of a mark, for a legend.

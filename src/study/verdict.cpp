@@ -119,24 +119,19 @@ class Judge {
     const double doubt = doubt_of(facts_.regions);
     if (doubt <= lateral_ * lateral_ && health.closed) return false;
     const Fault fault = fault_of(facts_.model, facts_.regions.uncertainty);
-    if (doubt > lateral_ * lateral_ && doubt >= verdict_.undercut_area) {
-      set(VerdictState::unknown,
-          fmt::format("Not decided: {}, so {} may be undercut or not.", fault.what, area(doubt)));
-      add(fmt::format("To decide it: {}.", fault.remedy));
-      if (verdict_.undercuts > 0) add(fmt::format("As it is: {}.", undercuts_text()));
-      return true;
-    }
-    if (!health.closed && verdict_.undercuts == 0) {
-      set(VerdictState::unknown, fmt::format("Not decided: {}.", fault.what));
-      add(fmt::format("To decide it: {}.", fault.remedy));
-      return true;
-    }
-    if (doubt > lateral_ * lateral_) {
-      add(fmt::format("± {} of it is in doubt: {}.", area(doubt), fault.what));
+    const bool doubtful = doubt > lateral_ * lateral_;
+    const bool decided = verdict_.undercuts > 0 && !(doubtful && doubt >= verdict_.undercut_area);
+    if (decided) {
+      add(doubtful ? fmt::format("± {} of it is in doubt: {}.", area(doubt), fault.what)
+                   : fmt::format("The figures are in doubt: {}.", fault.what));
     } else {
-      add(fmt::format("No undercut along this direction, but {}.", fault.what));
+      set(VerdictState::unknown,
+          doubtful ? fmt::format("Not decided: {}, so {} may be undercut or not.", fault.what, area(doubt))
+                   : fmt::format("Not decided: {}.", fault.what));
+      if (verdict_.undercuts > 0) add(fmt::format("As it is: {}.", undercuts_text()));
     }
-    return false;
+    add(fmt::format("{}: {}.", decided ? "To remove the doubt" : "To decide it", fault.remedy));
+    return !decided;
   }
 
   [[nodiscard]] std::string undercuts_text() const {
@@ -200,9 +195,9 @@ class Judge {
 
   void add_specks() {
     if (verdict_.specks == 0) return;
-    add(fmt::format("{} smaller or shallower than {:.3g} {} {} ignored ({}).",
-                    plural(verdict_.specks, "mark"), lateral_, length_unit(facts_.model.part),
-                    verdict_.specks == 1 ? "is" : "are", area(verdict_.speck_area)));
+    add(fmt::format("{} {} ignored, smaller or shallower than {:.3g} {} ({}).",
+                    plural(verdict_.specks, "tiny undercut"), verdict_.specks == 1 ? "is" : "are", lateral_,
+                    length_unit(facts_.model.part), area(verdict_.speck_area)));
   }
 
   void add_sampled() {

@@ -81,7 +81,7 @@ constexpr DirectionFigure k_figures[] = {
     {"travel", "travel", FigureKind::length, "Longest travel of a side action.",
      Use{.objective = true, .of_actions = true},
      [](const Facts& f) { return f.actions ? Found(f.actions->travel) : std::nullopt; }},
-    {"unreleased_area", "left", FigureKind::area, "Undercut area that no side action releases.",
+    {"unreleased_area", "unreleased", FigureKind::area, "Undercut area that no side action releases.",
      Use{.brief = true, .of_actions = true},
      [](const Facts& f) { return f.actions ? Found(f.actions->totals.unreleased_area) : std::nullopt; }},
     {"side_actions", "side actions", FigureKind::actions,

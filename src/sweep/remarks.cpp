@@ -29,20 +29,14 @@ std::string difference_text(const PartModel& model, const SweepCandidate& than,
   return area_text(model, std::abs(difference)) + (difference < 0.0 ? " less" : " more");
 }
 
-std::string on_undercut(const PartModel& model, const SweepCandidate& best, bool by_molds) {
+std::string on_undercut(const PartModel& model, const SweepCandidate& best) {
   const double error = best.classification.uncertainty.total();
-  if (undercut_area(best) <= error) {
-    return "The best direction has no undercut.";
-  }
+  if (undercut_area(best) <= error) return "The best direction has no undercut.";
+  const std::string area = area_text(model, undercut_area(best));
   const auto count = figure_value(direction_figure("undercuts"), best);
-  const std::string undercuts = !count ? ""
-                                : *count == 0.0
-                                    ? " in marks too small to count"
-                                    : fmt::format(" in {} {}", *count, *count == 1.0 ? "place" : "places");
-  return fmt::format("{} {}{}.",
-                     by_molds ? "The best leaves an undercut of"
-                              : "Every direction that was tried has an undercut. The best leaves",
-                     area_text(model, undercut_area(best)), undercuts);
+  if (count == 0.0) return fmt::format("The best direction has no undercut but tiny ones, {}.", area);
+  return fmt::format("The best direction leaves an undercut of {}{}.", area,
+                     count ? fmt::format(" in {} {}", *count, *count == 1.0 ? "place" : "places") : "");
 }
 
 /// The first direction that does not tie with the best.
@@ -149,7 +143,7 @@ std::vector<std::string> sweep_remarks(const PartModel& model, const SweepResult
         fmt::format("Ended early: {} of the {} listed directions were not measured, only scored.", scored,
                     result.candidates.size()));
   }
-  remarks.push_back(on_undercut(model, best, by_molds));
+  remarks.push_back(on_undercut(model, best));
   if (seeks_actions(result.settings)) remark_on_actions(model, result, remarks);
   if (result.recommended) {
     const Recommendation& recommended = *result.recommended;

@@ -71,7 +71,8 @@ std::span<const Option<SweepSettings>> sweep_options() {
        "Growth of the undercut area that ends the tilt margin.",
        RealKind<S>{&S::tilt_growth_pct, 1e-4, 100.0, 0.1}},
       {"pressure", "--pressure", "Pressure", "force per area",
-       "Cavity pressure. Pressure times projected area is the clamp force.",
+       "Cavity pressure, in force per square of the part's unit: MPa for a part in mm, which gives the clamp "
+       "force in N.",
        RealKind<S>{&S::pressure, 0.0, 1e12, 1.0}},
       {"actions", "--actions", "Side actions", "",
        "Find the side actions of all listed directions. This takes longer than the rest of the sweep. Ties "

@@ -30,7 +30,7 @@ std::string side_actions_text(const PartModel& model, const SweepCandidate& cand
   if (!candidate.actions) return {};
   const double left = candidate.actions->totals.unreleased_area;
   if (left <= 0.0) return candidate.actions->text();
-  return fmt::format("{}; {} {} left", candidate.actions->text(),
+  return fmt::format("{}; {} {} unreleased", candidate.actions->text(),
                      FigureColumn(model.geometry.total_area).text(left), powered_unit(model.part, 2));
 }
 

@@ -14,7 +14,7 @@ namespace moldlight {
 /// The same in ever fewer words, for where there is little room.
 [[nodiscard]] std::vector<std::string> shorter_reasons(const Candidate& candidate);
 
-/// "2 slides, 1 lifter; 12.3 mm² left"; empty where side actions were not looked for.
+/// "2 slides, 1 lifter; 12.3 mm² unreleased"; empty where side actions were not looked for.
 [[nodiscard]] std::string side_actions_text(const PartModel& model, const SweepCandidate& candidate);
 
 /// "1 slide, planar parting line", "two-plate, parting line climbs 14 mm": what a mold along it is like,

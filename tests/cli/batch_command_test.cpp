@@ -252,7 +252,7 @@ TEST(Batch, WhatMakesNoSenseIsToldInOneLine) {
     return arguments;
   };
   const std::vector<Refusal> refusals = {
-      {{"batch"}, 2, {"subcommand"}},
+      {{"batch"}, 2, {"which command?"}},
       {{"batch", "plan"}, 2, {"SOURCE --out DIR -- WORK"}},
       {{"batch", "plan", source, "--out", night, "--", "classify", "--direction", "z"}, 2, {"--anew", night}},
       {{"batch", "plan", source, "--out", source, "--", "classify", "--direction", "z"},
@@ -274,7 +274,8 @@ TEST(Batch, WhatMakesNoSenseIsToldInOneLine) {
       {{"batch", "run", night, "--shard", "2/2"}, 2, {"--shard"}},
       {{"batch", "run", night, "--shard", "0/0"}, 2, {"--shard"}},
       {{"batch", "run", night, "--shard", "-1/2"}, 2, {"--shard"}},
-      {{"batch", "run", night, "--processes", "-1"}, 2, {"--processes"}},
+      {{"batch", "run", night, "-j", "-1"}, 2, {"--jobs"}},
+      {{"batch", "run", night, "--processes", "-1"}, 2, {"--jobs"}},
       {{"batch", "status", source}, 1, {"is not a batch"}},
       {{"batch", "merge", night}, 2, {"--csv"}},
       {{"batch", "merge", night, "--csv", night + "/batch.json"}, 2, {"--csv"}},

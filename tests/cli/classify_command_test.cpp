@@ -30,8 +30,8 @@ TEST(Classify, PrintsATableAndNothingElseOnStdout) {
   const auto run = run_moldlight(part.classify());
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  for (const char* line :
-       {"\nCore ", "\nCavity ", "\nBoth ", "\nUndercut ", "\nSurface ", "\nTwo checks          agree,"}) {
+  for (const char* line : {"\nCore ", "\nCavity ", "\nBoth ", "\nUndercut ", "\nSurface ",
+                           "\nCross-check         passed,", "the file names no unit; --unit sets it"}) {
     EXPECT_NE(run.out.find(line), std::string::npos) << line << " in\n" << run.out;
   }
   EXPECT_EQ(run.out.find('\033'), std::string::npos) << "colour on what is no terminal";

@@ -17,8 +17,9 @@ using test::SmallPart;
 TEST(Help, PutsFlagsIntoGroupsExpertsLast) {
   const std::string help = run_moldlight({"classify", "--help"}).out;
   std::size_t before = 0;
-  for (const char* heading : {"\nPart:\n", "\nDirection:\n", "\nTolerances and rules:\n", "\nResult:\n",
-                              "\nPictures:\n", "\nExpert: shadow maps:\n", "\nProgram:\n", "\nExamples:\n"}) {
+  for (const char* heading :
+       {"\nPart:\n", "\nDirection:\n", "\nTolerances and rules:\n", "\nResult:\n", "\nPictures:\n",
+        "\nPass or fail:\n", "\nExpert: shadow maps:\n", "\nProgram:\n", "\nExamples:\n"}) {
     const std::size_t at = help.find(heading);
     ASSERT_NE(at, std::string::npos) << heading << help;
     EXPECT_GT(at, before) << heading;
@@ -50,7 +51,15 @@ TEST(Help, ShortNamesAndWordsForDirectionsAndUnitsAreTaken) {
       run_moldlight({"classify", part.file(), "--direction", "0,0,1", "--unit", "mm"}).out;
   EXPECT_EQ(run_moldlight({"classify", part.file(), "-d", "0 0 1", "-u", "MM"}).out, usual);
   EXPECT_EQ(run_moldlight({"classify", part.file(), "-d", "0, 0, 1", "-u", "Millimetre"}).out, usual);
+  EXPECT_EQ(run_moldlight({"classify", part.file(), "-d", " z", "-u", "mm"}).out, usual);
+  EXPECT_EQ(run_moldlight({"sweep", part.file(), "--candidates", "none", "-d", "z"}).exit_code, 0);
   EXPECT_EQ(run_moldlight({"version"}).out, run_moldlight({"--version"}).out);
+}
+
+TEST(Help, BatchShowsTheExamplesOfItsCommands) {
+  const std::string help = run_moldlight({"batch", "--help"}).out;
+  for (const char* line : {"moldlight batch plan ", "moldlight batch run ", "moldlight batch merge "})
+    EXPECT_NE(help.find(line, help.find("\nExamples:\n")), std::string::npos) << line;
 }
 
 TEST(Help, GuessesWhatAMistypedWordMeant) {
@@ -64,6 +73,16 @@ TEST(Help, GuessesWhatAMistypedWordMeant) {
       run_moldlight({"sweep", part.file(), "--objective", "undercuts:1,travle"}).err.find("mean travel?"),
       std::string::npos);
   EXPECT_NE(run_moldlight(part.classify({"--fail-on", "udercut > 0"})).err.find("did you mean undercut?"),
+            std::string::npos);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"batch", "rnu"}, {"help", "batch", "rnu"}, {"batch", "rnu", "--help"}})
+    EXPECT_NE(run_moldlight(words).err.find("did you mean run?"), std::string::npos) << words.back();
+  EXPECT_NE(run_moldlight({"batch", "plan", "parts", "--out", part.output("night"), "--", "clasify"})
+                .err.find("did you mean classify?"),
+            std::string::npos);
+  EXPECT_NE(run_moldlight({"batch", "plan", "parts", "--out", part.output("night"), "--", "classify",
+                           "--direcion", "z"})
+                .err.find("did you mean --direction?"),
             std::string::npos);
   EXPECT_EQ(run_moldlight({"mold", part.file(), "--upside-down"}).err.find("did you mean"),
             std::string::npos);

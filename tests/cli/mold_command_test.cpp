@@ -174,6 +174,13 @@ TEST_F(Mold, RefusesWhatMakesNoSense) {
   EXPECT_EQ(code("--margin", "1e30"), 2) << "where points of a plane have too few digits";
   EXPECT_EQ(code("--shrink", "50"), 2);
   EXPECT_EQ(code("--parting-height", "1.5"), 0);
+  const auto high = run_moldlight(mold({"--parting-height", "500"}));
+  EXPECT_EQ(high.exit_code, 2);
+  EXPECT_NE(high.err.find("--parting-height: 500 is outside of the part, which reaches from "),
+            std::string::npos)
+      << high.err;
+  EXPECT_NE(run_moldlight(mold({"--lines", part.output("line.png")})).err.find("--lines: "),
+            std::string::npos);
   EXPECT_EQ(run_moldlight({"mold", part.file()}).exit_code, 2) << "a direction is needed";
   const auto same = run_moldlight(mold({"--lines", part.file()}));
   EXPECT_EQ(same.exit_code, 2) << "the part is not overwritten";

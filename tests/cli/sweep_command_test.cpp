@@ -186,6 +186,15 @@ TEST(SweepCommand, ARealPartIsSweptAsItIsClassifiedWhateverTheJobs) {
   expect_figures_of_classify(first, {"classify", file, "--direction", "0,0,1", "--json", "-"});
 }
 
+TEST(SweepCommand, TinyUndercutsContradictNoVerdict) {
+  const std::string file = (test::asset_folder() / "parts" / "tilted_bracket.stl").string();
+  const auto run = run_moldlight({"sweep", file, "--candidates", "none", "--direction", "0.48,-0.36,0.8",
+                                  "--objective", "undercut", "--refine", "0"});
+  EXPECT_TRUE(run.out.starts_with("Two-plate mold: no undercut.\n")) << run.out;
+  EXPECT_NE(run.out.find("\nThe best direction has no undercut but tiny ones, "), std::string::npos)
+      << run.out;
+}
+
 TEST(SweepCommand, CsvHoldsEveryEvaluatedDirection) {
   const SmallPart part;
   const std::string csv = part.output("all.csv");

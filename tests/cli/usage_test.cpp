@@ -46,11 +46,16 @@ TEST(Usage, HelpAndVersionGoToStdout) {
 TEST(Usage, CommandLinesThatMakeNoSenseEndWithTwo) {
   const SmallPart part;
   expect_failure({"melt"}, 2, {"melt"});
-  expect_failure({"classify"}, 2, {"PART", "moldlight classify --help"});
+  expect_failure({"classify"}, 2, {"which part? moldlight classify PART …", "moldlight classify --help"});
+  expect_failure({"compare", part.file()}, 2, {"which part? moldlight compare A B …"});
+  expect_failure({"batch"}, 2, {"which command? moldlight batch plan|run|status|merge …"});
+  expect_failure({"batch", "run"}, 2, {"which batch? moldlight batch run DIR …"});
   expect_failure({"classify", part.file()}, 2, {"--direction"});
   expect_failure({"info"}, 2, {"PART"});
   expect_failure({"info", part.file(), "--json"}, 2, {"--json"});
-  expect_failure({"info", part.file(), "more"}, 2, {"more"});
+  expect_failure({"info", part.file(), "more"}, 2, {"'more' is one word too many"});
+  expect_failure(part.classify({"--tau", "1,5"}), 2, {"'1,5' is not a number; write 1.5"});
+  expect_failure(part.classify({"--tolerance", "0.05mm"}), 2, {"'0.05mm' is not a number; write 0.05"});
   // A mistyped option is named before one that is missing for it.
   expect_failure({"classify", part.file(), "--directoin", "z"}, 2, {"there is no option --directoin"});
   expect_failure({"classify", "--colour"}, 2, {"there is no option --colour"});
@@ -95,6 +100,10 @@ TEST(Usage, TheBestDirectionIsTheSweepsFirst) {
   const auto run = run_moldlight({"classify", part.file(), "--direction", "best", "--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(test::json_of(run.out)["direction"], test::json_of(swept.out)["candidates"][0]["direction"]);
+}
+
+TEST(Usage, AMissingPartIsNamedBeforeAMissingDisplay) {
+  expect_failure({"view", "nowhere.stl"}, 1, {"nowhere.stl: cannot be opened"});
 }
 
 /// Without a display that ends with a way out, and does not wait.
@@ -210,7 +219,7 @@ TEST(Usage, OutputsThatMeetEndWithTwo) {
   expect_failure(part.classify({"--json", file, "--facets", part.output("./sub/../out.csv")}), 2,
                  {"--facets"});
   expect_failure(part.classify({"--mesh", part.file()}), 2, {"--mesh", part.file()});
-  expect_failure(part.classify({"--mesh", part.output("a.step")}), 2, {"a.step", ".ply"});
+  expect_failure(part.classify({"--mesh", part.output("a.step")}), 2, {"--mesh: ", "a.step", ".ply"});
   expect_failure(part.classify({"--borders", part.output("a.ply")}), 2, {"a.ply", ".csv"});
   expect_failure(part.classify({"--borders", part.file()}), 2, {"--borders", part.file()});
   expect_failure(part.classify({"--borders", file, "--facets", file}), 2, {"--borders", "--facets"});

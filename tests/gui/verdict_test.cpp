@@ -97,7 +97,7 @@ TEST_F(Verdicts, LeadToAMarkThatIsIgnored) {
   EXPECT_LT(window_.state().camera.height, 0.7 * before.height) << "closer to it";
   const auto& texts = window_.app().texts();
   EXPECT_TRUE(std::ranges::any_of(
-      texts, [](const DrawnText& each) { return each.text.starts_with("The largest ignored mark: "); }));
+      texts, [](const DrawnText& each) { return each.text.starts_with("The largest tiny undercut: "); }));
 }
 
 TEST_F(LongVerdicts, AChangeOfTheSettingsBeginsTheSweepThatNobodyAskedForAnew) {

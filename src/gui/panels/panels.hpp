@@ -159,7 +159,7 @@ struct VerdictCard {
 };
 [[nodiscard]] VerdictCard verdict_card(const AppState& state);
 
-/// "1 slide, 2 lifters · 49.2 mm² left"; what comes of the plan of side actions.
+/// "1 slide, 2 lifters · 49.2 mm² unreleased"; what comes of the plan of side actions.
 [[nodiscard]] std::string actions_summary(const AppState& state);
 
 /// At the top of the legend.

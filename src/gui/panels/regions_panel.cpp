@@ -129,7 +129,7 @@ std::string tooltip_text(const VerdictCard& card) {
   if (card.verdict && card.verdict->undercuts > 0)
     text += "\nClick to look at the undercuts (U).";
   else if (card.verdict && card.verdict->specks > 0)
-    text += "\nClick to look at the largest ignored mark (U).";
+    text += "\nClick to look at the largest tiny undercut (U).";
   return text;
 }
 
@@ -164,7 +164,7 @@ std::string actions_summary(const AppState& state) {
   const ActionPlan& plan = *state.actions.plan;
   std::string text = plan.actions.empty() ? "no side action releases them" : actions_text(plan);
   if (plan.unreleased_area > 0.0 && !plan.actions.empty())
-    text += fmt::format(" · {} {} left",
+    text += fmt::format(" · {} {} unreleased",
                         grouped(rounded_area(plan.unreleased_area, state.model->geometry.total_area)),
                         powered_unit(state.model->part, 2));
   return text;
@@ -222,7 +222,7 @@ void draw_next(const PanelContext& context, const VerdictCard& card) {
     if (wide(fmt::format("Go to {}", with_minus(better->name)), "verdict go"))
       context.edits.ask(&Commands::fly_to_direction, better->direction);
   } else if (card.verdict->undercuts + card.verdict->specks > 0) {
-    if (wide(card.verdict->undercuts > 0 ? "Show the undercuts" : "Show the marks", "verdict show"))
+    if (wide(card.verdict->undercuts > 0 ? "Show the undercuts" : "Show the tiny undercuts", "verdict show"))
       show_undercuts(context);
   }
 }

@@ -1,4 +1,4 @@
-// What the script of every page begins with.
+// The beginning of the script of every page.
 "use strict";
 const byId = (id) => document.getElementById(id);
 // The data that the page has under this name, or null.

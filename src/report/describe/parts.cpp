@@ -246,8 +246,8 @@ Section regions_section(const ReportContext& context, const Classification& resu
        number(style, FigureKind::length, keys && keys->empty() ? "/lateral_tolerance" : "",
               result.lateral_tolerance),
        style.unit(FigureKind::length), "nothing narrower counts"},
-      {"Two checks",
-       {identity.agrees() ? "agree" : "disagree"},
+      {"Cross-check",
+       {identity.agrees() ? "passed" : "failed"},
        {},
        fmt::format("the shadow from both sides differs by {} {}, limit {}",
                    error_text(std::abs(identity.gap)), area_unit, error_text(identity.gap_limit))}};
@@ -276,7 +276,7 @@ Section part_section(const ReportContext& context, const std::vector<std::string
        {},
        health.closed ? "closed surface" : "the surface is not closed"},
       {"Bodies", number(fmt::format("{}", health.components), "/part/components", count(health.components))},
-      {"Read as", {model.part.format}, {}, model.part.unit.empty() ? "the file names no unit" : ""}};
+      {"Read as", {model.part.format}, {}, model.part.unit.empty() ? "the file names no unit; --unit sets it" : ""}};
   section.add(std::move(grid));
   if (!context.drawn()) return section;  // a terminal has seen them
   for (const std::string& warning : warnings) section.add(warning, TextLook::notice);

@@ -18,11 +18,7 @@ namespace moldlight::report {
 namespace {
 
 constexpr Colour k_unreleased = {110, 0, 30};
-
-/// "slide 1".
-std::string title(const ActionPlan& plan, std::size_t action) {
-  return fmt::format("{} {}", facts(plan.actions[action].kind).singular, action + 1);
-}
+constexpr std::size_t k_most_changes = 3;  // that stand beside what is unreleased
 
 std::string numbers_text(const std::vector<std::size_t>& numbers) {
   constexpr std::size_t k_most = 12;
@@ -44,11 +40,16 @@ Section plan_section(const ActionsReport& found) {
   for (const std::string& notice : {meetings_text(plan), rejected_text(found.model, plan)}) {
     if (!notice.empty()) section.add(notice, TextLook::notice);
   }
-  if (!plan.unreleased.empty())
-    section.add(fmt::format("No action that was tried releases {} in {}: {}.",
-                            style.with_unit(FigureKind::area, plan.unreleased_area),
-                            plural(plan.unreleased.size(), "undercut"), numbers_text(plan.unreleased)),
-                TextLook::notice);
+  if (!plan.unreleased.empty()) {
+    std::string text = fmt::format("No action that was tried releases {} of undercut{} {}.",
+                                   style.with_unit(FigureKind::area, plan.unreleased_area),
+                                   plan.unreleased.size() == 1 ? "" : "s", numbers_text(plan.unreleased));
+    for (const std::size_t undercut : plan.unreleased)
+      if (const std::string change = change_text(found, undercut);
+          change != "-" && plan.unreleased.size() <= k_most_changes)
+        text += fmt::format(" To free undercut {}, {}.", undercut + 1, with_minus(change));
+    section.add(text, TextLook::notice);
+  }
   if (plan.actions.empty()) return section;
   const std::string small = plan.optimal ? "No cheaper set of the actions that were tried releases as much."
                                          : "A cheaper set may exist: the search ended at its limit.";
@@ -72,7 +73,7 @@ Section changes_section(const ActionsReport& found) {
   for (const SavingChange& change : best_changes(found.plan, found.settings.prices)) {
     std::string saved;
     for (const std::size_t action : change.actions)
-      saved += (saved.empty() ? "" : ", ") + title(found.plan, action);
+      saved += (saved.empty() ? "" : ", ") + action_title(found.plan, action);
     section.add(fmt::format("Changing undercut{} {} saves {}.", change.undercuts.size() == 1 ? "" : "s",
                             numbers_text(change.undercuts), saved));
   }
@@ -94,10 +95,7 @@ Section undercuts_section(const ReportContext& context, Illustrator& pictures, c
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     add_cells(style, found_figures(undercut_figures(), plan.undercuts[k]), fmt::format("/undercuts/{}", k),
               table.rows[k]);
-    const SideAction* action = action_of(plan, k);
-    table.rows[k].cells.push_back({action != nullptr
-                                       ? title(plan, static_cast<std::size_t>(action - plan.actions.data()))
-                                       : unreleased_text(plan, k)});
+    table.rows[k].cells.push_back({released_by_text(plan, k)});
   }
   return {"Undercuts", {std::move(table)}};
 }
@@ -131,7 +129,7 @@ ModelView actions_view(const ReportContext& context, const ActionsReport& found,
   for (std::size_t k = 0; k < plan.actions.size(); ++k) {
     const SideAction& action = plan.actions[k];
     if (!action.body) continue;
-    ViewGroup group{.name = title(plan, k),
+    ViewGroup group{.name = action_title(plan, k),
                     .aside = fmt::format("{:.3g} {}", action.travel, length_unit(found.model.part)),
                     .colour = action_colour(k),
                     .shift = action.travel * action.direction};
@@ -158,7 +156,7 @@ Table actions_table(const PartModel& model, const ActionPlan& plan, const Place&
   for (std::size_t k = 0; k < plan.actions.size(); ++k) {
     const SideAction& action = plan.actions[k];
     const std::string& feature = action.feature;
-    Row row{{{title(plan, k) + (feature.empty() ? "" : ", " + feature)},
+    Row row{{{action_title(plan, k) + (feature.empty() ? "" : ", " + feature)},
              {with_minus(direction_words(action.direction))}},
             Mark{action_colour(k)}};
     add_cells(style, found_figures(action_figures(), action), entry_of(keys, k), row);
@@ -180,7 +178,7 @@ Table bodies_table(const PartModel& model, const ActionPlan& plan, const Place& 
     const SideAction& action = plan.actions[k];
     if (!action.body) continue;
     const auto turn = static_cast<std::size_t>(sequence_of(action.kind));
-    Row row{{{title(plan, k)}, {std::string(k_turns[turn - 1])}}, Mark{action_colour(k)}};
+    Row row{{{action_title(plan, k)}, {std::string(k_turns[turn - 1])}}, Mark{action_colour(k)}};
     add_cells(style, found_figures(body_figures(), action), entry_of(keys, k), row);
     row.cells.push_back({clear_text(action, plan, length_unit(model.part))});
     table.rows.push_back(std::move(row));

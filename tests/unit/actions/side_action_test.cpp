@@ -55,9 +55,20 @@ TEST(SideHole, InOneDirectionOnlyIfBlind) {
   ASSERT_EQ(planned.plan.actions.size(), 1U) << "d reversed";
   EXPECT_GT(planned.plan.actions[0].direction.x, 1.0 - 1e-9);
   EXPECT_EQ(planned.plan.undercuts.size(), 1U);
+  EXPECT_EQ(released_by_text(planned.plan, 0), "slide 1");
   EXPECT_FALSE(planned.plan.undercuts[0].blocked_by.empty());
   EXPECT_NEAR(planned.plan.undercuts[0].depth.value(), 14.0, 0.02);
   EXPECT_NEAR(planned.plan.undercuts[0].formed_area, planned.plan.undercuts[0].undercut.area, 1e-6);
+}
+
+TEST(SideHole, HardlyOffAnAxisIsASlideAlongTheAxis) {
+  const Planned near = plan_of(laid(block_with_hole({}), 0.06)),
+                off = plan_of(laid(block_with_hole({}), 0.3));
+  ASSERT_EQ(near.plan.actions.size(), 1U);
+  EXPECT_EQ(glm::abs(near.plan.actions[0].direction), glm::dvec3(1, 0, 0));
+  EXPECT_NEAR(near.plan.actions[0].interval.to_deg + near.plan.actions[0].interval.from_deg, 0.12, 0.02);
+  ASSERT_EQ(off.plan.actions.size(), 1U);
+  EXPECT_NEAR(line_angle_deg(off.plan.actions[0].direction, {1, 0, 0}), 0.3, 0.01);
 }
 
 TEST(SideHole, StraightIsASlideWithoutAnyTolerance) {
@@ -210,6 +221,8 @@ TEST(SideAction, ThatLeavesTheRestOfItsUndercutIsRefused) {
   ASSERT_EQ(actions_text(wished.plan), "1 lifter");
   EXPECT_NEAR(wished.plan.actions[0].travel, 3.0, 0.1);
   EXPECT_NEAR(wished.plan.unreleased_area, k_rest, 10.0);
+  EXPECT_EQ(released_by_text(planned.plan, 0), "no action tried releases it");
+  EXPECT_EQ(released_by_text(wished.plan, 0), "lifter 1, in part");
 }
 
 /// A hook over the whole width may turn by no more than the draft of the ends; one that stands alone until

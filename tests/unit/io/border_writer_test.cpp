@@ -72,7 +72,6 @@ TEST(BorderWriter, OfOneRegionHasNoLines) {
 
 TEST(BorderWriter, LeavesNothingWhereItFails) {
   const ScratchFolder folder;
-  EXPECT_THROW(check_border_extension("lines.ply"), UsageError);
   EXPECT_THROW(write_borders(folder.file("lines.ply"), sample_split()), UsageError);
   EXPECT_THROW(write_borders(folder.file("missing/lines.obj"), sample_split()), FileError);
   EXPECT_THROW(write_borders(folder.path().string(), sample_split()), UsageError);

@@ -27,7 +27,7 @@ TEST(PartReader, SaysWhatAFileIsThatIsNoPart) {
   EXPECT_EQ(read_error("a.stl.gz", "\x1f\x8b\x08 and so on"),
             "a.stl.gz: byte 0: is compressed with gzip; unpack it first");
   EXPECT_EQ(read_error("a.stl", "This is a note, not a part.\n"),
-            "a.stl: line 1: expected 'solid', found 'This' (facet 0); export the part again");
+            "a.stl: line 1: is text, but no STL, which begins with 'solid'; export the part again");
   EXPECT_EQ(read_error("a.txt", "This is a note, not a part.\n"),
             "a.txt: byte 0: is not a part file: none of STL, OBJ, PLY, OFF, 3MF and STEP by content or name");
 }

@@ -75,6 +75,24 @@ TEST(PartingLine, OfABoxGoesOnceAroundIt) {
   EXPECT_NE(found.verdict().find("No shut-offs."), std::string::npos) << found.verdict();
 }
 
+TEST(PartingLine, SaysOfWhichLoopsItsStepsAre) {
+  Found found = find(test::box_mesh({0, 0, 0}, {4, 3, 2}));
+  PartingLoop stepped = found.line.loops[0];
+  stepped.kind = LoopKind::shut_off;
+  stepped.steepest_deg = 90.0;
+  stepped.steep_length = 1.5;
+  found.line.loops.push_back(stepped);
+  EXPECT_NE(found.verdict().find("planar at z = 0 unit. 1 shut-off with 1.5 unit of steps of up to 90°."),
+            std::string::npos)
+      << found.verdict();
+  found.line.loops[0].steepest_deg = 88.0;
+  found.line.loops[0].steep_length = 0.5;
+  EXPECT_NE(
+      found.verdict().find("planar at z = 0 unit, 0.5 unit of steps of up to 88°. 1 shut-off with 1.5 unit"),
+      std::string::npos)
+      << found.verdict();
+}
+
 TEST(PartingLine, RunsAtTheHeightThatIsGiven) {
   MoldSettings settings;
   settings.parting_height = 0.7;
@@ -85,6 +103,10 @@ TEST(PartingLine, RunsAtTheHeightThatIsGiven) {
   EXPECT_NEAR(found.line.loops[0].length, 14.0, 1e-9);
   EXPECT_NEAR(found.assignment.area(MoldSide::core), 12.0 + 14.0 * 1.3, 1e-9);
   EXPECT_NEAR(found.assignment.area(MoldSide::cavity), 12.0 + 14.0 * 0.7, 1e-9);
+  for (const double outside : {-0.1, 2.1}) {
+    settings.parting_height = outside;
+    EXPECT_THROW(find(test::box_mesh({0, 0, 0}, {4, 3, 2}), {0, 0, 1}, settings), UsageError) << outside;
+  }
 }
 
 TEST(PartingLine, GivesCosmeticFacesToTheirHalf) {

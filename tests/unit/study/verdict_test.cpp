@@ -76,6 +76,31 @@ TEST(VerdictOf, AnOpenMeshIsNeverATwoPlateMold) {
   EXPECT_NE(verdict.reasons.front().find("--repair"), std::string::npos) << verdict.reasons.front();
 }
 
+TEST(VerdictOf, AnOpenMeshKeepsItsUndercutsAndNamesTheRepair) {
+  const TriangleMesh pocket = test::plate_with_side_pocket({}).mesh;
+  std::size_t decided = 0, undecided = 0;
+  for (std::size_t hole = 0; hole < pocket.facets.size(); ++hole) {
+    TriangleMesh open = pocket;
+    open.facets.erase(open.facets.begin() + static_cast<std::ptrdiff_t>(hole));
+    const Verdict verdict = verdict_on(open, false);
+    const auto said = [&](std::string_view words) {
+      return std::ranges::any_of(verdict.reasons, [&](const std::string& reason) {
+        return reason.find(words) != std::string::npos;
+      });
+    };
+    EXPECT_TRUE(said("--repair")) << hole;
+    EXPECT_FALSE(said("No undercut")) << hole;
+    if (verdict.undercuts == 0) continue;
+    const bool unknown = verdict.state == VerdictState::unknown;
+    (unknown ? undecided : decided) += 1;
+    EXPECT_TRUE(unknown ? said("As it is: 1 undercut, ") : verdict.sentence.starts_with("1 undercut, "))
+        << hole << ": " << verdict.sentence;
+    EXPECT_TRUE(said(unknown ? "To decide it: " : "in doubt: the mesh is open at 3 edges")) << hole;
+  }
+  EXPECT_GT(decided, 0U);
+  EXPECT_GT(undecided, 0U);
+}
+
 TEST(VerdictOf, BodiesThatCrossLeaveItOpenWhereTheCrossingIsAllOfTheUndercut) {
   test::SolidBuilder solid;
   solid.box({0, 0, 0}, {20, 20, 10});
