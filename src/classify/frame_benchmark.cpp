@@ -19,7 +19,8 @@ namespace moldlight {
 namespace {
 
 constexpr int k_rounds = 5, k_turns = 8, k_warm_up = 2;
-constexpr double k_figures_ms = 400.0;  // a round while the direction moves, at least, so that figures are found
+constexpr double k_figures_ms =
+    400.0;  // a round while the direction moves, at least, so that figures are found
 
 }  // namespace
 

@@ -15,8 +15,8 @@ namespace {
 
 /// Maps of all threads' batches.
 constexpr std::size_t k_map_bytes = 512U << 20;
-/// One graphics card draws for one context at a time: two threads keep it at work, and with more it was seen to take
-/// longer (by 1.4 with four, by 2.1 with eight).
+/// One graphics card draws for one context at a time: two threads keep it at work, and with more it was seen
+/// to take longer (by 1.4 with four, by 2.1 with eight).
 constexpr int k_threads_on_a_card = 2;
 
 }  // namespace

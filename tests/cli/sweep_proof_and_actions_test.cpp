@@ -79,7 +79,8 @@ TEST(SweepCommand, TellsTheSideActionsOfWhatIsListed) {
   const SmallPart part;
   const auto run = run_moldlight(part.sweep({"--actions"}));
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  for (const char* word : {"side actions\n", "unreleased unit²", "Side actions of the best direction: 1 slide"})
+  for (const char* word :
+       {"side actions\n", "unreleased unit²", "Side actions of the best direction: 1 slide"})
     EXPECT_NE(run.out.find(word), std::string::npos) << word << " in\n" << run.out;
   for (const char* word : {"± unit²", "undercuts\n"})
     EXPECT_EQ(run.out.find(word), std::string::npos) << word;

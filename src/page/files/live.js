@@ -28,18 +28,13 @@ class Live {
       resolution: rest ? wanted : Math.min(wanted, this.moving), measured: reported && thickness === live.thickness};
   }
   go(direction, rest) {
-    const field = byId("direction");
     this.view.aim(direction);
     this.change(rest);
-    if (document.activeElement !== field || rest)
-      field.value = direction.map((value) => Number(value.toFixed(4)) || 0).join(", ");
-    for (const goal of this.goals)
-      goal.element.setAttribute("aria-pressed", dot(goal.direction, direction) > 1 - 1e-9);
   }
   // Something that the maps depend on has changed; while it goes on changing, they are drawn small.
   change(rest) {
     this.stale = rest ? "rest" : "move";
-    this.mark("", []);
+    if (this.marked) this.mark("", []);
     clearTimeout(this.resting);
     if (!rest) this.resting = setTimeout(() => { this.stale = "rest"; this.view.ask(); }, 180);
   }
@@ -54,12 +49,16 @@ class Live {
     // While it moves, maps as fine as keep up.
     const took = now - this.last;
     if (!rest && took < 300) this.moving = between(this.moving * (took < 14 ? 2 : took > 40 ? 0.5 : 1), 512, 2048);
-    if (rest || !(now - this.shownAt < 120)) this.showAreas(found, settings, rest);
+    if (rest || !(now - this.shownAt < 250)) this.tell(found, settings, rest);
     Object.assign(this, {last: now, stale: ""});
   }
-  // Areas: the exact ones where the page has them, else those by maps with their error.
-  showAreas(found, settings, rest) {
-    const {live, view, rays} = this;
+  // The direction, and areas: the exact ones where the page has them, else those by maps with their error.
+  tell(found, settings, rest) {
+    const {live, view, rays} = this, {direction} = view, field = byId("direction");
+    if (document.activeElement !== field || rest)
+      field.value = direction.map((value) => Number(value.toFixed(4)) || 0).join(", ");
+    for (const goal of this.goals)
+      goal.element.setAttribute("aria-pressed", dot(goal.direction, direction) > 1 - 1e-9);
     const settle = rest && ((facet, place) => rays.bits(rays.blockers(facet, inPart(live, place), settings)));
     const areas = found?.areas ?? this.maps.areas(settle);
     [...view.figure.querySelectorAll(".legend li i")].slice(0, 4).forEach((legend, k) => {
@@ -135,6 +134,7 @@ class Live {
     view.marks = marks.map(([places, kind, ink]) =>
       ({buffer: view.tools.buffer(places.flatMap(within), [3]), kind, ink}));
     byId("picked").textContent = text;
+    this.marked = text !== "";
     view.ask();
   }
   // What is at a place of the picture: of an undercut how deep it is, and what blocks it there.

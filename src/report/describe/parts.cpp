@@ -276,7 +276,10 @@ Section part_section(const ReportContext& context, const std::vector<std::string
        {},
        health.closed ? "closed surface" : "the surface is not closed"},
       {"Bodies", number(fmt::format("{}", health.components), "/part/components", count(health.components))},
-      {"Read as", {model.part.format}, {}, model.part.unit.empty() ? "the file names no unit; --unit sets it" : ""}};
+      {"Read as",
+       {model.part.format},
+       {},
+       model.part.unit.empty() ? "the file names no unit; --unit sets it" : ""}};
   section.add(std::move(grid));
   if (!context.drawn()) return section;  // a terminal has seen them
   for (const std::string& warning : warnings) section.add(warning, TextLook::notice);
