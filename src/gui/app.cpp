@@ -197,7 +197,7 @@ bool App::takes_key(const KeyPress& press, bool typing) const {
   const UiMemory& memory = imgui_.memory();
   const Dialogs& dialogs = state_.dialogs;
   const bool asked = dialogs.browser || dialogs.exporting || dialogs.settings || dialogs.picture ||
-                     dialogs.batch || dialogs.dropped;
+                     dialogs.finishes || dialogs.batch || dialogs.dropped;
   return memory.keyboard.focused() || memory.popups.any() || asked;
 }
 
@@ -275,6 +275,7 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   state_.face.reset();
   state_.measuring.reset();
   state_.mold_choices = {};
+  state_.draft_choices = {};
   state_.revisions.hover.reset();
   file_watch_.watch(part.path);
   quick_sweep_due_ = state_.window.quick_sweep;
@@ -293,6 +294,10 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   noted_unit_ = notes.unit;
   state_.notes_beside = options_.persistent && notes_path(part.path) == notes_path_beside(part.path);
   state_.settings = notes.settings;
+  // Of a part that was another one when they were noted.
+  std::erase_if(state_.settings.required_draft.finishes, [&](const FaceFinish& one) {
+    return one.face >= part.faces->count() || part.faces->facets(one.face).empty();
+  });
   state_.bookmarks = notes.bookmarks;
   history_.reset(state_.settings);
   flight_.stop();
@@ -335,6 +340,9 @@ void App::apply(const Edits& edits) {
     settle_frames_ = k_settle_frames;
   }
   if (!state_.model) return;
+  if (!(state_.draft_choices == former.draft_choices) ||
+      !(state_.settings.required_draft == former.settings.required_draft))
+    mark_faces();
   if (const bool split = split_view().has_value() && !revision_; split != was_split_) {
     was_split_ = split;
     commands.fit_view();

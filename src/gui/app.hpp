@@ -144,6 +144,8 @@ class App {
   /// What depends on the figures that are shown: the glow of a new undercut, those of the chosen face.
   void follow_figures();
   void measure_face();
+  /// Outlines the chosen face, or those that have the finish which clicks give.
+  void mark_faces();
   /// The undercut that is looked at stays so in another plan. `moving`: a hand is at the settings.
   void find_actions(bool moving);
   /// The loop that is looked at stays so in another line.

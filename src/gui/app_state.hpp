@@ -82,6 +82,19 @@ struct MoldChoices {
   bool moves_faces = false;         // a click moves a face to the other half
 };
 
+// Of draft.
+
+/// What the user does beside the settings; panels edit a copy of it.
+struct DraftChoices {
+  std::string kind = {};  // of the finish that a click gives to a face: "texture", "draft" or a name; empty:
+                          // a click gives none
+  double texture_mm = 0.025, draft_deg = 2.0;
+
+  /// As parse_finish reads it.
+  [[nodiscard]] std::string finish() const;
+  bool operator==(const DraftChoices&) const = default;
+};
+
 /// The parting line as the study found it, and as it is drawn.
 struct MoldLine : moldlight::MoldLine {
   std::string verdict = {};
@@ -174,6 +187,7 @@ struct Dialogs {
   std::optional<std::string> dropped;  // path of a part that is to be opened or compared
   std::optional<bool> large_map;       // true: of +d
   std::optional<std::string> picture;  // to be saved, with the path that is proposed
+  std::optional<bool> finishes;        // true: to be saved; false: to be loaded
 
   /// All closed.
   [[nodiscard]] Dialogs none() const {
@@ -196,6 +210,7 @@ struct Editable {
   SweepChoices sweep_choices;
   ActionChoices action_choices;
   MoldChoices mold_choices;
+  DraftChoices draft_choices;
   RevisionChoices revision_choices;
   std::optional<Measuring> measuring;  // the tool, while it is on
   std::set<Hint> hints_done;

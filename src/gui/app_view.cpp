@@ -34,6 +34,17 @@ void App::follow_figures() {
   measure_face();
 }
 
+void App::mark_faces() {
+  std::vector<std::uint32_t> faces;
+  if (state_.draft_choices.kind.empty()) {
+    if (state_.face) faces.push_back(state_.face->number);
+  } else {
+    for (const FaceFinish& one : state_.settings.required_draft.finishes)
+      if (one.finish.name == state_.draft_choices.finish()) faces.push_back(one.face);
+  }
+  scene_->mark_faces(faces);
+}
+
 void App::measure_face() {
   if (!state_.face || !state_.figures.shown) return;
   state_.face->figures =

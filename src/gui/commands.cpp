@@ -33,6 +33,7 @@ void Edits::enter(Step wanted) {
     sweep_choices.compared.reset();
     sweep_choices.large_ball = false;
   }
+  if (step == Step::draft) draft_choices.kind.clear();
   if (wanted != Step::parting_line && wanted != Step::mold) mold_choices = {};
   former_step = std::exchange(step, wanted);
 }
@@ -72,6 +73,8 @@ void escape(const Pressed& p) {
     p.edits.action_choices.chosen.reset();
   } else if (p.edits.mold_choices.moves_faces) {
     p.edits.mold_choices.moves_faces = false;
+  } else if (!p.edits.draft_choices.kind.empty()) {
+    p.edits.draft_choices.kind.clear();
   } else if (p.edits.mold_choices.loop) {
     p.edits.mold_choices.loop.reset();
   } else if (p.edits.revision_choices.chosen) {

@@ -52,6 +52,13 @@ struct Commands {
   void look_at_loop(std::size_t loop);
   /// And for a wall with too little draft, whose face is chosen then.
   void look_at_wall(std::size_t wall);
+  /// And for the worst wall of a finish, or all of its faces where none has too little draft.
+  void look_at_finish(const std::string& finish);
+  /// Gives the face of a facet the finish that is chosen, or takes it away where the face has it.
+  void give_finish(FacetIndex facet);
+  /// Replaces the finishes by those of a file; writes them to one.
+  void load_finishes(const std::string& path);
+  void save_finishes(const std::string& path);
   /// Gives a face, what may be of it, to the half that does not form most of it.
   void move_face(FacetIndex facet);
   /// The same for the one under the cursor.

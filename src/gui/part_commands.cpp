@@ -43,6 +43,11 @@ Study known_study(const AppState& state) {
 
 }  // namespace
 
+std::string DraftChoices::finish() const {
+  if (kind == "texture") return fmt::format("texture {} mm", real_text(texture_mm));
+  return kind == "draft" ? fmt::format("draft {}", real_text(draft_deg)) : kind;
+}
+
 void Commands::open_part(const std::string& path) { app.open(path); }
 
 void Commands::open_batch_part(std::size_t row) {
@@ -146,7 +151,7 @@ void Commands::choose_face(const std::optional<FacetIndex>& facet) {
   const auto face = facet ? std::optional(app.state_.faces->of_facet[*facet]) : std::nullopt;
   auto& chosen = app.state_.face;
   chosen = face ? std::optional(ChosenFace{*face, {}}) : std::nullopt;
-  app.scene_->choose_face(face);
+  app.mark_faces();
   app.measure_face();
 }
 
@@ -234,6 +239,54 @@ void Commands::look_at_wall(std::size_t wall) {
     alone.pieces.back().region = Region::undercut;
   }
   app.look_at(std::move(alone), surroundings(*app.state_.model, app.state_.faces->facets(face)));
+}
+
+void Commands::look_at_finish(const std::string& finish) {
+  const auto& line = app.state_.mold.line;
+  if (line && line->draft) {
+    const auto& walls = line->draft->walls;
+    const auto worst = std::ranges::find(walls, finish, &WallDraft::finish);
+    if (worst != walls.end()) return look_at_wall(static_cast<std::size_t>(worst - walls.begin()));
+  }
+  app.fitted_points_.clear();
+  for (const FaceFinish& one : app.state_.settings.required_draft.finishes) {
+    if (one.finish.name != finish) continue;
+    const auto points = surroundings(*app.state_.model, app.state_.faces->facets(one.face));
+    app.fitted_points_.insert(app.fitted_points_.end(), points.begin(), points.end());
+  }
+  app.turn_camera(app.state_.camera.orientation);
+}
+
+void Commands::give_finish(FacetIndex facet) {
+  RequiredDraft& draft = app.state_.settings.required_draft;
+  const std::uint32_t face = app.state_.faces->of_facet[facet];
+  auto given = parse_finish(app.state_.draft_choices.finish(), draft.texture_rule);
+  const Finish* const present = finish_of(draft.finishes, face);
+  if (given && present != nullptr && *present == *given) given.reset();
+  set_finish(draft.finishes, face, std::move(given));
+  app.history_.settle(app.state_.settings);
+}
+
+void Commands::load_finishes(const std::string& path) {
+  RequiredDraft& draft = app.state_.settings.required_draft;
+  try {
+    draft.finishes = read_finishes(path, *app.state_.model, draft.texture_rule, {});
+    app.history_.settle(app.state_.settings);
+    say(fmt::format("{} took the finishes of {}", plural(draft.finishes.size(), "face"), path), false);
+  } catch (const Error& error) {
+    app.state_.dialogs.finishes = false;  // another path may do
+    say(error.what(), true);
+  }
+}
+
+void Commands::save_finishes(const std::string& path) {
+  try {
+    write_finishes(path, app.state_.settings.required_draft.finishes);
+    say("Saved to " + path, false);
+  } catch (const Error& error) {
+    app.state_.dialogs.finishes = true;
+    say(error.what(), true);
+  }
 }
 
 void Commands::move_face(FacetIndex facet) {

@@ -93,5 +93,78 @@ TEST_F(Draft, IsAskedForByItsColours) {
   EXPECT_FALSE(window.app().controls().contains("wall 1"));
 }
 
+TEST_F(Draft, FinishesAreGivenByClicksAndCheckedAsTheCommandDoes) {
+  const auto finishes = [&]() -> const std::vector<FaceFinish>& {
+    return state().settings.required_draft.finishes;
+  };
+  const auto click_face = [&](const glm::dvec3& middle) {
+    const auto pixel =
+        project(state().camera, window.size(), glm::dvec3(state().model->frame.to_unit(middle)));
+    ASSERT_TRUE(pixel);
+    move_to(glm::vec2(*pixel));
+    press();
+    settle();
+  };
+  const glm::dvec3 camera = state().camera.toward_viewer();
+  const glm::dvec3 wall_y(15, camera.y > 0.0 ? 20 : 0, 5), wall_x(camera.x > 0.0 ? 29.95 : 0, 10, 5);
+  click("finish polished");
+  EXPECT_TRUE(says("Click faces: polished"));
+  click_face(wall_y);
+  ASSERT_EQ(finishes().size(), 1U);
+  EXPECT_EQ(finishes()[0].finish, (Finish{"polished", 0.5}));
+  const std::uint32_t first = finishes()[0].face;
+  const glm::dvec3 before = direction();
+  click("finish texture");
+  click_face(wall_x);
+  ASSERT_EQ(finishes().size(), 2U);
+  EXPECT_EQ(direction(), before);
+  EXPECT_FALSE(state().face) << "the click gave a finish";
+  const std::uint32_t second = finishes()[0].face == first ? finishes()[1].face : finishes()[0].face;
+  EXPECT_EQ(*finish_of(finishes(), second), (Finish{"texture 0.025 mm", 1.0}));
+  ASSERT_EQ(check().finishes.size(), 2U);
+  EXPECT_TRUE(says("texture 0.025 mm"));
+
+  // The rule of the other unit asks for more.
+  click("Texture rule=inch");
+  settle();
+  EXPECT_NEAR(finish_of(finishes(), second)->required_deg, 1.5 * 0.025 / 0.0254, 1e-12);
+
+  // What is saved, the command reads, and finds the same.
+  click("save finishes");
+  window.frames(3);
+  click("Save");
+  window.frames(3);
+  const std::string saved = part.output("block-finishes.csv");
+  const auto read = read_finishes(saved, *state().model, TextureRule::inch, {});
+  EXPECT_EQ(read, finishes());
+  const DraftCheck same =
+      check_draft(*state().model, state().mold.line->assignment, state().figures.shown->reverse_draft,
+                  {state().settings.required_draft.deg, read});
+  EXPECT_EQ(draft_json(*state().model, check()), draft_json(*state().model, same));
+
+  // A second click takes it away, undo gives it back; the cross takes it from all; a file brings all again.
+  click_face(wall_x);
+  EXPECT_EQ(finishes().size(), 1U);
+  undo();
+  settle();
+  EXPECT_EQ(finishes(), read);
+  click("take finish 1");
+  settle();
+  ASSERT_EQ(finishes().size(), 1U);
+  EXPECT_EQ(finishes()[0].face, first) << "the texture asks for more and stands first";
+  click("load finishes");
+  window.frames(3);
+  click("Load");
+  settle();
+  EXPECT_EQ(finishes(), read);
+  key({.key = k_escape});
+  key({.key = k_escape});
+  EXPECT_TRUE(state().draft_choices.kind.empty());
+  click("finish row 1");
+  settle();
+  ASSERT_TRUE(state().face);
+  EXPECT_EQ(state().face->number, second) << "its worst wall";
+}
+
 }  // namespace
 }  // namespace moldlight::gui::test

@@ -14,6 +14,7 @@ Study asked_study(const AppState& state) {
   questions.actions = state.settings.actions;
   questions.mold = state.settings.mold;
   questions.required_draft_deg = state.settings.required_draft.deg;
+  questions.finishes = state.settings.required_draft.finishes;
   return Study(state.model, std::move(questions));
 }
 
@@ -163,16 +164,20 @@ void StudyFinder::find_line(const AppState& state, MoldState& mold, bool moving)
     line_of_.reset();
   }
   if (measured && other && !line_job_.running() && (!moving || mold.line)) {
+    Study study = measured_study(state);
+    // Another draft alone asks for no other line.
+    if (mold.line && line_inputs_ == inputs.second.first && lined_ == state.figures.split)
+      study.keep<moldlight::MoldLine>(mold.line);
     line_of_ = inputs;
     mold.error.clear();
-    line_job_.start(
-        [study = measured_study(state)](const Progress& progress) { return shown_line(study, progress); });
+    line_job_.start([study](const Progress& progress) { return shown_line(study, progress); });
   }
   if (auto outcome = line_job_.take()) {
     mold.error = std::move(outcome->error);
     mold.line.reset();
     if (outcome->result) mold.line = std::make_shared<const MoldLine>(std::move(*outcome->result));
     lined_ = state.figures.split;
+    if (line_of_) line_inputs_ = line_of_->second.first;
   }
   mold.line_awaited = state.figures.error.empty() && (line_job_.running() || (!moving && line_of_ != inputs));
 }

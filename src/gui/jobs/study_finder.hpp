@@ -76,6 +76,7 @@ class StudyFinder {
   std::optional<Inputs<DraftCheck>> line_of_;
   std::optional<Inputs<MoldHalves>> solids_of_;
   std::shared_ptr<const SplitMesh> planned_, lined_;  // of which there is a plan, a line
+  Asked<moldlight::MoldLine>::Inputs line_inputs_;    // of that line
   using Sources = std::array<std::shared_ptr<const void>, 3>;
   Sources inserts_of_;  // solids, plan
   Sources cards_of_;    // the sweep's result, plan and parting line; of these none while they are not settled

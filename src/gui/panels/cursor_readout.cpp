@@ -92,6 +92,13 @@ std::vector<std::string> readout_lines(const AppState& state) {
     lines.push_back(fmt::format("draft {}  ·  facet {}", draft_text(hover->draft_deg),
                                 facet_number(state, hover->point.facet)));
     if (state.settings.look.colour_mode == ColourMode::draft_angle) {
+      const Finish* const finish =
+          finish_of(state.settings.required_draft.finishes, state.faces->of_facet[hover->point.facet]);
+      if (finish != nullptr)
+        lines.push_back(
+            finish->required_deg > 0.0
+                ? fmt::format("finish {}: {}° or more", finish->name, figure(finish->required_deg))
+                : fmt::format("finish {}: draft is not checked", finish->name));
       if (const WallDraft* wall = wall_of_face(state, state.faces->of_facet[hover->point.facet]))
         lines.push_back(fmt::format("face: {} or more  ·  {}", draft_text(wall->least_deg),
                                     suggestion(*state.model, *wall)));

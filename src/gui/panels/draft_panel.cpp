@@ -17,7 +17,8 @@ namespace {
 
 // Layout units.
 constexpr float k_draft_row = 40.0F, k_chart = 96.0F, k_axis = 18.0F, k_grip = 14.0F;
-constexpr float k_draft_share = 0.36F;  // of the window's height, that the table takes at most
+constexpr float k_draft_share = 0.36F;    // of the window's height, that the table takes at most
+constexpr float k_finishes_share = 0.2F;  // and that of the finishes
 constexpr double k_step_deg = 0.1;
 
 constexpr std::array<ListColumn, 4> k_draft_columns = {{
@@ -25,8 +26,94 @@ constexpr std::array<ListColumn, 4> k_draft_columns = {{
     {"formed by", "The half that forms the wall.", 36.0F, false},
     {"draft", "Least draft of the wall. Negative: reverse draft.", 164.0F, true},
     {"costs", "Change of thickness at the far end if the wall turns about its foot, in the part's unit.",
-     236.0F, true},
+     228.0F, true},  // beside a scroll bar
 }};
+
+constexpr std::array<ListColumn, 3> k_finish_columns = {{
+    {"finish", "Walls of the finish that asks for most draft come first.", 8.0F, false},
+    {"faces", "", 164.0F, true},
+    {"required", "Least draft that the finish asks for.", 214.0F, true},
+}};
+constexpr float k_beside_finish = 26.0F;  // layout units
+
+/// What a click on the part gives: a chip a finish, and the figure that it needs.
+void draw_finish_choice(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  DraftChoices& choices = context.edits.draft_choices;
+  RequiredDraft& draft = context.edits.settings.required_draft;
+  const auto offer = [&](std::string_view kind, const std::string& says) {
+    const bool on = choices.kind == kind;
+    if (chip(ui, kind, on, kind == "polished")) choices.kind = on ? std::string() : std::string(kind);
+    name_item(ui, fmt::format("finish {}", kind));
+    tooltip(ui, fmt::format("Finish: {}", kind), says + "\nThen click faces. A second click takes it away.");
+  };
+  hint(ui, "Finish of faces");
+  for (const NamedFinish& named : k_named_finishes)
+    offer(named.name, named.required_deg > 0.0
+                          ? fmt::format("Needs {}° of draft.", figure(named.required_deg))
+                          : "Draft of the face is not checked.");
+  offer("texture", "Needs draft by its depth.");
+  offer("draft", "Needs the angle that you set.");
+  if (choices.kind == "texture") {
+    if (double depth = choices.texture_mm;
+        number_field(ui, "texture depth", depth, {"Depth, mm", 3, room_left()}) && depth > 0.0)
+      choices.texture_mm = depth;
+    if (option_row(ui, finish_options().front(), static_cast<FinishSettings&>(draft)))
+      for (FaceFinish& one : draft.finishes)
+        one.finish = parse_finish(one.finish.name, draft.texture_rule).value_or(one.finish);
+  } else if (choices.kind == "draft") {
+    if (double angle = choices.draft_deg;
+        number_field(ui, "finish draft", angle, {"Draft °", 2, room_left()}) && angle > 0.0)
+      choices.draft_deg = std::min(angle, k_most_required_deg);
+  }
+  const float width = 0.5F * (room_left() - ui.px(4));
+  if (button(ui, "Load…", {.width = width})) context.edits.dialogs.finishes = false;
+  name_item(ui, "load finishes");
+  tooltip(ui, "Load the finishes", "A file with a line a face, FACE,FINISH, as the flag --finish reads it.");
+  ImGui::SameLine(0.0F, ui.px(4));
+  ImGui::BeginDisabled(draft.finishes.empty());
+  if (button(ui, "Save…", {.width = width})) context.edits.dialogs.finishes = true;
+  ImGui::EndDisabled();
+  name_item(ui, "save finishes");
+  tooltip(ui, "Save the finishes", "Into a file that the flag --finish reads.");
+}
+
+/// A finish that faces have: a click looks at its worst wall, the cross takes it from all of them.
+void draw_finish_row(const PanelContext& context, const FinishDraft& one, std::size_t number, bool marked) {
+  const Ui& ui = context.ui;
+  const std::string id = fmt::format("finish row {}", number + 1);
+  const glm::vec2 start = cursor_at();
+  const float width = room_left();
+  const Row row = list_row(ui, {.id = id.c_str(),
+                                .height = k_draft_row,
+                                .beside = k_beside_finish,
+                                .chosen = false,
+                                .marked = marked});
+  const ScreenBox upper{row.box.min, {row.box.max.x, row.box.min.y + ui.px(22)}};
+  const std::array<std::string, k_finish_columns.size()> texts = {
+      one.finish.name, std::to_string(one.faces),
+      one.finish.required_deg > 0.0 ? fmt::format("{}°", figure(one.finish.required_deg)) : "none"};
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    draw_cell(ui, upper, k_finish_columns[k], {k == 0 ? ui.fonts.strong : ui.fonts.body, ui.colours->text},
+              texts[k], k == 0 ? ui.px(120) : 0.0F);
+  const std::string unit = powered_unit(context.state.model->part, 2);
+  const std::string area = rounded(one.area) + " " + unit;
+  draw_second_line(ui, row.box, k_finish_columns[0].at,
+                   one.below > 0.0 ? fmt::format("{} of {} have less", rounded(one.below), area) : area,
+                   k_beside_finish);
+  tooltip(ui, one.finish.name,
+          fmt::format("{}\nClick to look at {}.",
+                      one.least_deg ? fmt::format("Least draft {}.", draft_text(*one.least_deg))
+                                    : std::string("Side actions form all of its faces."),
+                      one.below > 0.0 ? "the wall that costs the most" : "its faces"));
+  if (row.clicked) context.edits.ask(&Commands::look_at_finish, one.finish.name);
+  put_cursor({start.x + width - ui.px(k_row_height), start.y + ui.px(0.5F * (k_draft_row - k_row_height))});
+  const std::string cross = fmt::format("take finish {}", number + 1);
+  if (icon_button(ui, {cross.c_str(), Icon::close, "Take it from its faces"}))
+    std::erase_if(context.edits.settings.required_draft.finishes,
+                  [&](const FaceFinish& each) { return each.finish == one.finish; });
+  put_cursor({start.x, start.y + ui.px(k_draft_row)});
+}
 
 void draw_bars(const PanelContext& context, const DraftChart& chart, const DraftCheck& check) {
   const Ui& ui = context.ui;
@@ -129,11 +216,13 @@ void DraftPanel::draw(const PanelContext& context) {
     model_ = context.state.model;
   }
   option_row(context.ui, required_draft_options().front(), context.edits.settings.required_draft);
+  draw_finish_choice(context);
   if (context.state.settings.look.colour_mode == ColourMode::draft_angle) draw_draft_key(context);
   TableBarParts parts{.news = news(context.state)};
   if (check() != nullptr) {
     parts.table = [&](RowCursor& cursor) {
       draw_chart(context, *check());
+      if (!check()->finishes.empty()) draw_finishes(context);
       if (!check()->walls.empty()) draw_walls(context, cursor);
     };
   }
@@ -151,6 +240,17 @@ BarNews DraftPanel::news(const AppState& state) const {
   if (check() != nullptr) news.text = draft_sentence(*state.model, *check());
   news.tip = news.text;
   return news;
+}
+
+void DraftPanel::draw_finishes(const PanelContext& context) {
+  const std::vector<FinishDraft>& finishes = check()->finishes;
+  draw_headings(context.ui, k_finish_columns);
+  const RowList list{
+      .id = "finishes", .count = finishes.size(), .row_height = k_draft_row, .share = k_finishes_share};
+  if (const auto pressed = draw_list(context.ui, list, finish_cursor_, [&](std::size_t k) {
+        draw_finish_row(context, finishes[k], k, finish_cursor_.is_at(k));
+      }))
+    context.edits.ask(&Commands::look_at_finish, finishes[*pressed].finish.name);
 }
 
 void DraftPanel::draw_walls(const PanelContext& context, RowCursor& cursor) const {
@@ -191,9 +291,14 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
   if (row.clicked) context.edits.ask(&Commands::look_at_wall, number);
 }
 
-void draw_foot_line(const PanelContext& context) {
+void draw_draft_marks(const PanelContext& context) {
   const AppState& state = context.state;
   if (!is_at(state, Step::draft)) return;
+  if (!state.draft_choices.kind.empty()) {
+    const FreeArea area = context.free_area();
+    draw_tag(context.ui, {area.middle_x(), static_cast<float>(area.min.y) + context.ui.px(24)},
+             "Click faces: " + state.draft_choices.finish(), context.ui.colours->text);
+  }
   const WallDraft* wall = nullptr;
   if (state.hover) wall = wall_of_face(state, state.faces->of_facet[state.hover->point.facet]);
   if (wall == nullptr && state.face) wall = wall_of_face(state, state.face->number);

@@ -156,4 +156,20 @@ void draw_picture_dialog(const PanelContext& context, PathDialog& dialog) {
   if (!open) context.edits.dialogs.picture.reset();
 }
 
+void draw_finishes_dialog(const PanelContext& context, PathDialog& dialog) {
+  const auto& saves = context.state.dialogs.finishes;
+  if (!saves || !context.state.model) return;
+  const PathDialog::Form form{.name = "Finishes",
+                              .title = *saves ? "Save the finishes" : "Load the finishes",
+                              .prompt = *saves ? "A file of this name is replaced." : "From this file:",
+                              .field = "##Finishes path",
+                              .action = *saves ? "Save" : "Load",
+                              .proposed = beside_part(context.state, "-finishes.csv")};
+  bool open = true;
+  const auto ready = [] { return PathDialog::Ready{}; };
+  if (dialog.draw(context.ui, form, ready, open))
+    context.edits.ask(*saves ? &Commands::save_finishes : &Commands::load_finishes, dialog.path());
+  if (!open) context.edits.dialogs.finishes.reset();
+}
+
 }  // namespace moldlight::gui

@@ -180,7 +180,8 @@ struct HalvesLine {
 [[nodiscard]] const WallDraft* wall_of_face(const AppState& state, std::uint32_t face,
                                             std::optional<MoldSide> side = {});
 
-/// The foot line of the wall under the cursor or chosen, in the scene.
-void draw_foot_line(const PanelContext& context);
+/// In the scene of the draft's step: the foot line of the wall under the cursor or chosen, and what a click
+/// gives.
+void draw_draft_marks(const PanelContext& context);
 
 }  // namespace moldlight::gui

@@ -51,6 +51,7 @@ class DraftPanel {
 
  private:
   [[nodiscard]] BarNews news(const AppState& state) const;
+  void draw_finishes(const PanelContext& context);
   void draw_walls(const PanelContext& context, RowCursor& cursor) const;
   void draw_row(const PanelContext& context, std::size_t wall, bool marked) const;
 
@@ -60,6 +61,7 @@ class DraftPanel {
   std::shared_ptr<const MoldLine> line_;
   std::shared_ptr<const PartModel> model_;
   TableBar bar_;
+  RowCursor finish_cursor_;
 };
 
 /// What is written of the part: pictures, files and the report.

@@ -58,7 +58,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
     draw_view_cube(context);
     draw_chosen_face(context);
     draw_measuring(context);
-    draw_foot_line(context);
+    draw_draft_marks(context);
     draw_cursor_readout(context);
   }
   draw_start_page(context, textures.shipped_parts);
@@ -70,6 +70,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   export_.draw(context);
   mold_export_.draw(context);
   draw_picture_dialog(context, picture_);
+  draw_finishes_dialog(context, finishes_);
   draw_settings(context);
   help_.draw(context);
   draw_toasts(context);

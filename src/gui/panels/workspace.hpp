@@ -137,6 +137,8 @@ class MoldExportDialog {
 
 /// Asks where the first picture of a session goes.
 void draw_picture_dialog(const PanelContext& context, PathDialog& dialog);
+/// Asks which file the finishes of faces come from, or go to.
+void draw_finishes_dialog(const PanelContext& context, PathDialog& dialog);
 
 /// All keys and what the mouse does; typing leaves the lines that have the words.
 class HelpSheet {
@@ -170,7 +172,7 @@ class Workspace {
   BatchPanel batch_;
   ExportDialog export_;
   MoldExportDialog mold_export_;
-  PathDialog picture_;
+  PathDialog picture_, finishes_;
   HelpSheet help_;
 };
 

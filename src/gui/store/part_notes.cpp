@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "classify/json.hpp"
 #include "classify/method_options.hpp"
 #include "classify/option_json.hpp"
@@ -63,16 +64,50 @@ Json revision_json(const RevisionSettings& settings) {
   return json;
 }
 
-void set_revision(RevisionSettings& settings, Json json) {
+/// Sets what the options have of the object's members, and takes these out of it.
+template <typename S>
+void take_options(std::span<const Option<S>> options, S& settings, Json& json) {
   Json own = Json::object();
-  for (const auto& option : revision_options()) {
+  for (const Option<S>& option : options) {
     const std::string key(option.key);
     if (!json.is_object() || !json.contains(key)) continue;
     own[key] = json[key];
     json.erase(key);
   }
+  set_options(options, settings, own);
+}
+
+void set_revision(RevisionSettings& settings, Json json) {
+  take_options(revision_options(), settings, json);
   set_options(compare_options(), static_cast<CompareSettings&>(settings), json);
-  set_options(revision_options(), settings, own);
+}
+
+Json draft_settings_json(const RequiredDraft& settings) {
+  Json json = options_json(required_draft_options(), settings);
+  json.update(options_json(finish_options(), static_cast<const FinishSettings&>(settings)));
+  json["finishes"] = Json::object();
+  for (const FaceFinish& one : settings.finishes)
+    json["finishes"][std::to_string(one.face)] = one.finish.name;
+  return json;
+}
+
+void set_draft(RequiredDraft& settings, Json json) {
+  take_options(finish_options(), static_cast<FinishSettings&>(settings), json);
+  if (json.is_object() && json.contains("finishes")) {
+    settings.finishes.clear();
+    for (const auto& item : json["finishes"].items()) {
+      const auto face = number_from<std::uint32_t>(item.key());
+      const auto finish = item.value().is_string()
+                              ? parse_finish(item.value().get<std::string>(), settings.texture_rule)
+                              : std::nullopt;
+      if (!face || !finish)
+        throw UsageError(
+            fmt::format("settings: face {} has no finish like {}", item.key(), item.value().dump()));
+      set_finish(settings.finishes, *face, finish);
+    }
+    json.erase("finishes");
+  }
+  set_options(required_draft_options(), settings, json);
 }
 
 /// Takes notes of former versions to the present one. Until 1, figures were sums over samples, and a kernel
@@ -132,7 +167,7 @@ std::string part_notes_json(const PartNotes& notes, const std::string& part_path
   if (!notes.unit.empty()) json["unit"] = notes.unit;
   json["settings"] = settings_json(notes.settings);
   json["look"] = options_json(look_options(), notes.settings.look);
-  json["draft"] = options_json(required_draft_options(), notes.settings.required_draft);
+  json["draft"] = draft_settings_json(notes.settings.required_draft);
   json["actions"] = options_json(action_options(), notes.settings.actions);
   json["mold"] = options_json(mold_options(), notes.settings.mold);
   json["revision"] = revision_json(notes.settings.revision);
@@ -163,8 +198,7 @@ PartNotes parse_part_notes(std::string_view text, PartNotes notes) {
   }
   if (json.contains("settings")) set_settings(notes.settings, json["settings"]);
   if (json.contains("look")) set_options(look_options(), notes.settings.look, json["look"]);
-  if (json.contains("draft"))
-    set_options(required_draft_options(), notes.settings.required_draft, json["draft"]);
+  if (json.contains("draft")) set_draft(notes.settings.required_draft, json["draft"]);
   if (json.contains("actions")) set_options(action_options(), notes.settings.actions, json["actions"]);
   if (json.contains("mold")) set_options(mold_options(), notes.settings.mold, json["mold"]);
   if (json.contains("revision")) set_revision(notes.settings.revision, json["revision"]);

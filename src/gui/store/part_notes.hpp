@@ -14,6 +14,7 @@
 #include "classify/settings.hpp"
 #include "compare/comparison.hpp"
 #include "gui/store/user_state.hpp"
+#include "parting/draft/finish.hpp"
 #include "parting/mold_settings.hpp"
 
 namespace moldlight::gui {
@@ -37,8 +38,9 @@ struct RevisionSettings : CompareSettings {
 [[nodiscard]] std::span<const Option<RevisionSettings>> revision_options();
 
 /// The draft that walls must have: what is said of draft depends on it, and its colours; no region does.
-struct RequiredDraft {
-  double deg = 1.0;  // [0.1, 10]
+struct RequiredDraft : FinishSettings {
+  double deg = 1.0;                       // [0.1, 10], of faces without a finish
+  std::vector<FaceFinish> finishes = {};  // rising
 
   bool operator==(const RequiredDraft&) const = default;
 };

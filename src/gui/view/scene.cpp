@@ -79,6 +79,15 @@ void Scene::mark_blocking(const std::optional<std::uint32_t>& face) {
   view_.set_veiled_surface(vertices, triangles);
 }
 
+void Scene::mark_faces(std::span<const std::uint32_t> faces) {
+  std::vector<ViewSegment> outlines;
+  for (const std::uint32_t face : faces) {
+    const std::vector<ViewSegment> outline = outline_of(*part_.model, *part_.faces, face);
+    outlines.insert(outlines.end(), outline.begin(), outline.end());
+  }
+  view_.set_marked_lines(MarkedLines::chosen, outlines);
+}
+
 void Scene::explain(const std::optional<Blocker>& blocker, const std::optional<CutSpan>& span) {
   if (blocker == blocker_ && span == span_) return;
   const auto face = [&](const std::optional<Blocker>& of) {

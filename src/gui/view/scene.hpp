@@ -38,11 +38,8 @@ class Scene {
   /// Draws over the whole target, which is bound afterwards. Returns true while drawing the same again would
   /// refine the picture.
   bool draw(const ViewTarget& target, const SceneSettings& settings);
-  /// Marks a face, or none.
-  void choose_face(const std::optional<std::uint32_t>& face) {
-    view_.set_marked_lines(MarkedLines::chosen,
-                           face ? outline_of(*part_.model, *part_.faces, *face) : std::vector<ViewSegment>());
-  }
+  /// Marks these faces alone.
+  void mark_faces(std::span<const std::uint32_t> faces);
   /// Marks what is in a point's way, and the way there; and the span in a section.
   void explain(const std::optional<Blocker>& blocker, const std::optional<CutSpan>& span);
   /// What settings may place, drawn over the picture.

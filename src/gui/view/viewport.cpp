@@ -110,6 +110,8 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
       chosen = chosen == press_->change ? std::nullopt : press_->change;
     } else if (!edits.measuring && point && (edits.mold_choices.moves_faces || io.KeyCtrl)) {
       edits.ask(&Commands::move_face, point->facet);
+    } else if (!edits.measuring && point && !edits.draft_choices.kind.empty()) {
+      edits.ask(&Commands::give_finish, point->facet);
     } else if (press_->loop) {
       auto& chosen = edits.mold_choices.loop;
       chosen = chosen == press_->loop ? std::nullopt : press_->loop;
@@ -142,7 +144,8 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
     for (int button = 0; button < 3; ++button) {
       if (io.MouseClicked[button]) start(state, frame, button);
     }
-    if (io.MouseDoubleClicked[0] && state.hover && !near_tip_ && !edits.measuring) {
+    const bool gives = edits.mold_choices.moves_faces || !edits.draft_choices.kind.empty();
+    if (io.MouseDoubleClicked[0] && state.hover && !near_tip_ && !edits.measuring && !gives) {
       edits.ask(io.KeyAlt ? &Commands::take_axis : &Commands::take_normal);
     }
     if (io.MouseWheel != 0.0F) {

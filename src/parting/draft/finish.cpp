@@ -1,7 +1,6 @@
 #include "parting/draft/finish.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -12,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "io/atomic_file.hpp"
 #include "io/file_contents.hpp"
 #include "io/text_scanner.hpp"
 #include "mesh/faces.hpp"
@@ -19,14 +19,6 @@
 namespace moldlight {
 
 namespace {
-
-struct NamedFinish {
-  std::string_view name;
-  double required_deg;
-};
-/// Shop practice: a polished wall leaves its steel with half a degree; steel that shuts off on steel wears
-/// below three.
-constexpr std::array<NamedFinish, 3> k_finishes = {{{"polished", 0.5}, {"shut-off", 3.0}, {"none", 0.0}}};
 
 constexpr double k_mm_an_inch = 25.4;
 /// A texture asks for no less than a polished wall.
@@ -91,9 +83,9 @@ std::span<const Option<FinishSettings>> finish_options() {
 std::optional<Finish> parse_finish(std::string_view text, TextureRule rule) {
   text = without_space(text);
   Finish finish{.name = std::string(text)};
-  const auto found = std::ranges::find(k_finishes, text, &NamedFinish::name);
+  const auto found = std::ranges::find(k_named_finishes, text, &NamedFinish::name);
   constexpr std::string_view k_texture = "texture ", k_draft = "draft ";
-  if (found != k_finishes.end()) {
+  if (found != k_named_finishes.end()) {
     finish.required_deg = found->required_deg;
   } else if (text.starts_with(k_texture)) {
     const auto depth = depth_mm(text.substr(k_texture.size()));
@@ -161,6 +153,26 @@ std::vector<FaceFinish> read_finishes(const std::string& path, const PartModel& 
                                       const Progress& progress) {
   const FileContents contents(path, progress);
   return finishes_in(contents.bytes(), path, model, rule);
+}
+
+void write_finishes(const std::string& path, std::span<const FaceFinish> finishes) {
+  AtomicFile file(path);
+  file.write("face,finish\n");
+  for (const FaceFinish& one : finishes) file.write(fmt::format("{},{}\n", one.face, one.finish.name));
+  file.commit();
+}
+
+void set_finish(std::vector<FaceFinish>& finishes, std::uint32_t face, std::optional<Finish> finish) {
+  const auto at = std::ranges::lower_bound(finishes, face, {}, &FaceFinish::face);
+  const bool there = at != finishes.end() && at->face == face;
+  if (there && !finish) finishes.erase(at);
+  if (there && finish) at->finish = *std::move(finish);
+  if (!there && finish) finishes.insert(at, {face, *std::move(finish)});
+}
+
+const Finish* finish_of(std::span<const FaceFinish> finishes, std::uint32_t face) {
+  const auto at = std::ranges::lower_bound(finishes, face, {}, &FaceFinish::face);
+  return at == finishes.end() || at->face != face ? nullptr : &at->finish;
 }
 
 }  // namespace moldlight

@@ -1,6 +1,7 @@
 // Finishes of faces and the draft that each asks for, by rules of thumb that are named.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -21,8 +22,20 @@ enum class TextureRule : std::uint8_t { metric, inch };
 
 struct FinishSettings {
   TextureRule texture_rule = TextureRule::metric;
+
+  bool operator==(const FinishSettings&) const = default;
 };
 [[nodiscard]] std::span<const Option<FinishSettings>> finish_options();
+
+/// A finish whose draft no depth or angle decides.
+struct NamedFinish {
+  std::string_view name;
+  double required_deg;
+};
+/// Shop practice: a polished wall leaves its steel with half a degree; steel that shuts off on steel wears
+/// below three.
+inline constexpr std::array<NamedFinish, 3> k_named_finishes = {
+    {{"polished", 0.5}, {"shut-off", 3.0}, {"none", 0.0}}};
 
 struct Finish {
   std::string name;           // as given
@@ -49,5 +62,12 @@ struct FaceFinish {
 /// Of a file. Throws FileError.
 [[nodiscard]] std::vector<FaceFinish> read_finishes(const std::string& path, const PartModel& model,
                                                     TextureRule rule, const Progress& progress);
+
+/// What read_finishes reads. Throws FileError.
+void write_finishes(const std::string& path, std::span<const FaceFinish> finishes);
+
+/// The finish of a face among others, which rise; none takes it away.
+void set_finish(std::vector<FaceFinish>& finishes, std::uint32_t face, std::optional<Finish> finish);
+[[nodiscard]] const Finish* finish_of(std::span<const FaceFinish> finishes, std::uint32_t face);
 
 }  // namespace moldlight

@@ -16,6 +16,9 @@ TEST(PartNotes, AreReadBackAsTheyWereWritten) {
   notes.settings.method.resolution = 512;
   notes.settings.look.regions_by = RegionsBy::maps;
   notes.settings.required_draft.deg = 2.5;
+  notes.settings.required_draft.texture_rule = TextureRule::inch;
+  notes.settings.required_draft.finishes = {{3, {"shut-off", 3.0}},
+                                            {12, *parse_finish("texture 0.05 mm", TextureRule::inch)}};
   notes.settings.look.mark_difference = true;
   notes.unit = "in";
   notes.settings.actions.clearance_mm = 5.0;
