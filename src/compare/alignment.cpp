@@ -17,6 +17,8 @@
 
 #include "base/numbers.hpp"
 #include "compare/convex_polygon.hpp"
+#include "compare/overlay.hpp"
+#include "mesh/faces.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "mesh/symmetric_eigen.hpp"
 #include "mold/surface_samples.hpp"
@@ -253,18 +255,9 @@ Fit best_fit(const PartModel& a, const PartModel& b, bool mirrored, const Progre
   return best;
 }
 
-}  // namespace
-
-Alignment align(const PartModel& a, const PartModel& b, const Progress& progress) {
-  Alignment alignment;
-  if (a.part.mesh.facets.empty() || b.part.mesh.facets.empty()) return alignment;
-  const Fit fit = best_fit(a, b, false, progress), mirrored = best_fit(a, b, true, progress);
-  constexpr double k_far_better = 0.1;
-  alignment.mirrored = mirrored.misfit < k_far_better * fit.misfit && fit.misfit > 1e-5 * a.frame.diagonal;
-  alignment.rotation = fit.placement.rotation;
-  alignment.shift = fit.placement.shift;
-  const std::vector<SurfacePoint> nearest =
-      nearest_points(a, even_samples(b, k_samples, false), fit.placement);
+Alignment measured(const PartModel& a, const PartModel& b, const Placement& placement) {
+  Alignment alignment{.rotation = placement.rotation, .shift = placement.shift};
+  const std::vector<SurfacePoint> nearest = nearest_points(a, even_samples(b, k_samples, false), placement);
   double squares = 0.0;
   for (const SurfacePoint& one : nearest) {
     squares += one.distance * one.distance;
@@ -275,7 +268,58 @@ Alignment align(const PartModel& a, const PartModel& b, const Progress& progress
   return alignment;
 }
 
-std::optional<UniformScale> find_scale(const PartModel& a, const PartModel& b, bool turned, double apart,
+/// A part with even samples of its surface, and how far its facets may be off.
+struct SampledSide {
+  const PartModel& model;
+  std::vector<glm::dvec3> points;
+  std::vector<FacetIndex> facets;  // of the points
+  std::vector<double> chords;      // of the facets
+
+  explicit SampledSide(const PartModel& part)
+      : model(part),
+        points(even_samples(part, k_samples, false)),
+        chords(chord_deviation(part, part_faces(part.part, part.geometry, part.adjacency)).normal) {
+    for (const SurfaceSample& sample :
+         sample_surface_evenly(part.part.mesh, part.geometry, part.frame, k_samples).samples)
+      facets.push_back(sample.facet);
+  }
+  /// Points that are farther off the other part than `apart` and what both tessellations may be off there;
+  /// `put` lays them on it, where lengths are `factor` times as long.
+  double count_off(const SampledSide& other, const std::function<glm::dvec3(const glm::dvec3&)>& put,
+                   double apart, double factor) const {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, points.size()), 0.0,
+        [&](const tbb::blocked_range<std::size_t>& range, double sum) {
+          for (std::size_t k = range.begin(); k < range.end(); ++k) {
+            const SurfacePoint nearest = nearest_on(other.model, put(points[k]));
+            if (nearest.facet == k_no_facet ||
+                nearest.distance > factor * apart + chords[facets[k]] + other.chords[nearest.facet])
+              sum += 1.0;
+          }
+          return sum;
+        },
+        std::plus<>());
+  }
+};
+
+}  // namespace
+
+Alignment align(const PartModel& a, const PartModel& b, const Progress& progress) {
+  if (a.part.mesh.facets.empty() || b.part.mesh.facets.empty()) return {};
+  const Fit fit = best_fit(a, b, false, progress), mirrored = best_fit(a, b, true, progress);
+  constexpr double k_far_better = 0.1, k_rounding = 1e-6;
+  Alignment alignment = measured(a, b, fit.placement);
+  alignment.mirrored =
+      mirrored.misfit < k_far_better * fit.misfit && fit.misfit > k_rounding * a.frame.diagonal;
+  return alignment;
+}
+
+Alignment align_scaled(const PartModel& a, const PartModel& b, const UniformScale& scale) {
+  return measured(a, b, {scale.rotation, scale.shift - (scale.factor - 1.0) * principal_frame(a).centre});
+}
+
+std::optional<UniformScale> find_scale(const PartModel& a, const PartModel& b,
+                                       const std::optional<Alignment>& alignment, double apart,
                                        const Progress& progress) {
   constexpr double k_most = 0.1, k_least = 5e-4, k_most_other = 0.2, k_far_better = 0.2;
   if (a.part.mesh.facets.empty() || b.part.mesh.facets.empty()) return std::nullopt;
@@ -283,36 +327,31 @@ std::optional<UniformScale> find_scale(const PartModel& a, const PartModel& b, b
   const Bounds &box_a = a.health.bounds, &box_b = b.health.bounds;
   std::vector<double> factors = {std::sqrt(b.geometry.total_area / a.geometry.total_area)};
   if (a.health.closed && b.health.closed) factors.push_back(std::cbrt(b.health.volume / a.health.volume));
-  for (int axis = 0; axis < 3 && !turned; ++axis)
+  for (int axis = 0; axis < 3 && !alignment; ++axis)
     factors.push_back((box_b.max[axis] - box_b.min[axis]) / (box_a.max[axis] - box_a.min[axis]));
-  const std::vector<glm::dvec3> of_a = even_samples(a, k_samples, false),
-                                of_b = even_samples(b, k_samples, false);
+  std::erase_if(factors, [](double factor) {
+    return !(std::abs(factor - 1.0) <= k_most) || std::abs(factor - 1.0) < k_least;
+  });
+  if (factors.empty()) return std::nullopt;
+  const SampledSide side_a(a), side_b(b);
   // Of both, each laid on the other by p → (rotation · p + shift) / factor from B to A.
   const auto share_off = [&](const Placement& placement, double factor) {
     progress.report("looking for a scale", 0.0);
     const glm::dmat3 back = glm::transpose(placement.rotation);
-    const double off = tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, of_a.size() + of_b.size()), 0.0,
-        [&](const tbb::blocked_range<std::size_t>& range, double sum) {
-          for (std::size_t k = range.begin(); k < range.end(); ++k) {
-            const bool is_a = k < of_a.size();
-            const double distance =
-                is_a ? nearest_on(b, back * (factor * of_a[k] - placement.shift)).distance / factor
-                     : nearest_on(a, (placement.rotation * of_b[k - of_a.size()] + placement.shift) / factor)
-                           .distance;
-            if (distance > apart) sum += 1.0;
-          }
-          return sum;
-        },
-        std::plus<>());
-    return off / static_cast<double>(of_a.size() + of_b.size());
+    const auto of_a = [&](const glm::dvec3& p) { return back * (factor * p - placement.shift); };
+    const auto of_b = [&](const glm::dvec3& p) {
+      return (placement.rotation * p + placement.shift) / factor;
+    };
+    const double off =
+        side_a.count_off(side_b, of_a, apart, factor) + side_b.count_off(side_a, of_b, apart, 1.0);
+    return off / static_cast<double>(side_a.points.size() + side_b.points.size());
   };
-  const double as_it_is = share_off({}, 1.0);
-  UniformScale best{1.0, k_far_better * as_it_is};
+  const double as_it_is =
+      share_off(alignment ? Placement{alignment->rotation, alignment->shift} : Placement{}, 1.0);
+  UniformScale best{.factor = 1.0, .other = k_far_better * as_it_is};
   for (const double factor : factors) {
-    if (!(std::abs(factor - 1.0) <= k_most) || std::abs(factor - 1.0) < k_least) continue;
     std::vector<Placement> placements;
-    if (turned) {
+    if (alignment) {
       Part smaller = b.part;
       for (glm::dvec3& vertex : smaller.mesh.vertices) vertex /= factor;
       placements.push_back(
@@ -325,9 +364,9 @@ std::optional<UniformScale> find_scale(const PartModel& a, const PartModel& b, b
         placements.push_back({glm::dmat3(1.0), shift});
     }
     for (const Placement& placement : placements) {
-      const double other = share_off(placement, factor);
-      if (other < best.other) best = {factor, other};
-      if (other == 0.0) return best;
+      if (best.other == 0.0) break;
+      if (const double other = share_off(placement, factor); other < best.other)
+        best = {factor, other, placement.rotation, placement.shift};
     }
   }
   return best.factor != 1.0 && best.other <= k_most_other ? std::optional(best) : std::nullopt;

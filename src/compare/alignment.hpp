@@ -32,12 +32,17 @@ struct Alignment {
 struct UniformScale {
   double factor = 1.0;  // lengths of B in those of A, in [0.9, 1.1]
   double other = 0.0;   // share of both surfaces that is off nevertheless, in [0, 0.2]
+  glm::dmat3 rotation{1.0};
+  glm::dvec3 shift{0.0};  // a point of B, rotation * point + shift, lies on factor * A
 };
-/// None where B is as large as A, or is no better explained by a scale. With `turned` B may lie anywhere,
-/// else it is scaled about the origin or about a point of its box or its surface. What is off is farther than
-/// `apart`, in A's unit. Throws Cancelled.
-[[nodiscard]] std::optional<UniformScale> find_scale(const PartModel& a, const PartModel& b, bool turned,
-                                                     double apart, const Progress& progress);
+/// None where B is as large as A, or is no better explained by a scale. With `alignment`, how B lies best as
+/// it is, B may lie anywhere; else it is scaled about the origin or about a point of its box or its surface.
+/// What is off is farther than `apart`, in A's unit, and than the chords there may be. Throws Cancelled.
+[[nodiscard]] std::optional<UniformScale> find_scale(const PartModel& a, const PartModel& b,
+                                                     const std::optional<Alignment>& alignment, double apart,
+                                                     const Progress& progress);
+/// Turned as the scale has it, about the middle of A's surface: nearest points turn a part of another size.
+[[nodiscard]] Alignment align_scaled(const PartModel& a, const PartModel& b, const UniformScale& scale);
 
 /// The part where the alignment puts it.
 [[nodiscard]] std::shared_ptr<const PartModel> moved_part(const PartModel& part, const Alignment& alignment,

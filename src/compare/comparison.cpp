@@ -85,6 +85,12 @@ bool are_equal(const PartModel& a, const PartModel& b) {
          a.part.facet_source == b.part.facet_source && a.part.unit == b.part.unit;
 }
 
+OverlayTolerance overlay_tolerance(const CompareSettings& settings, double diagonal) {
+  OverlayTolerance tolerance = usual_tolerance(diagonal);
+  if (settings.same_within > 0.0) tolerance.apart = settings.same_within;
+  return tolerance;
+}
+
 /// "B is A × 1.0100 but for 2.5 % of the surface"
 std::string scale_text(const UniformScale& scale) {
   const std::string times = fmt::format("B is A × {:.4f}", scale.factor);
@@ -98,7 +104,8 @@ std::string undercut_text(const Comparison& comparison, const FigureStyle& style
   const double before = a.areas[Region::undercut], after = b.areas[Region::undercut];
   const std::string was = style.text(FigureKind::area, before), is = style.text(FigureKind::area, after),
                     unit = style.unit(FigureKind::area);
-  if (was == is || std::abs(after - before) <= a.uncertainty.total() + b.uncertainty.total())
+  const bool seen = !style.text(FigureKind::area, std::abs(after - before)).starts_with('<');
+  if (was == is || !seen || std::abs(after - before) <= a.uncertainty.total() + b.uncertainty.total())
     return fmt::format("Undercut as before, {} {}", is, unit);
   const std::string change = change_percent(before, after);
   return fmt::format("Undercut {} {} {}, was {}{}{}", after > before ? "grew to" : "shrank to", is, unit, was,
@@ -182,6 +189,9 @@ Comparison prepare_comparison(const std::shared_ptr<const PartModel>& a,
     return comparison;
   }
   comparison.alignment = align(*a, *comparison.b.model, progress);
+  comparison.scale = find_scale(*a, *comparison.b.model, comparison.alignment,
+                                overlay_tolerance(settings, a->frame.diagonal).apart, progress);
+  if (comparison.scale) comparison.alignment = align_scaled(*a, *comparison.b.model, *comparison.scale);
   comparison.b.model = moved_part(*comparison.b.model, *comparison.alignment, progress);
   if (comparison.alignment->mirrored) comparison.remarks.push_back("B is close to a mirror image of A");
   return comparison;
@@ -191,8 +201,7 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
   const std::shared_ptr<const PartModel>& a = comparison.a.model;
   const CompareSettings& settings = comparison.settings;
   const double diagonal = a->frame.diagonal;
-  OverlayTolerance tolerance = usual_tolerance(diagonal);
-  if (settings.same_within > 0.0) tolerance.apart = settings.same_within;
+  OverlayTolerance tolerance = overlay_tolerance(settings, diagonal);
   // Most of the surface lies as well as the alignment found.
   if (comparison.alignment)
     tolerance.rounding = std::max(tolerance.rounding, 3.0 * comparison.alignment->median);
@@ -218,9 +227,8 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
   comparison.b.result = classify_exact(*comparison.b.model, {query.b, method}, progress, true);
   const OverlaySide side_a(a, comparison.a.result), side_b(comparison.b.model, comparison.b.result);
   comparison.surface = find_surface_change(side_a, side_b, tolerance, progress);
-  if (!comparison.surface.places.empty())
-    comparison.scale = find_scale(*a, *comparison.b.model, settings.align,
-                                  tolerance.apart + comparison.surface.chords, progress);
+  if (!settings.align && !comparison.surface.places.empty())
+    comparison.scale = find_scale(*a, *comparison.b.model, std::nullopt, tolerance.apart, progress);
   if (settings.with_actions) {
     find_plan(settings.actions, comparison.a, progress);
     find_plan(settings.actions, comparison.b, progress);
