@@ -189,7 +189,7 @@ void keep_written(Study& study, WrittenMold written, const Progress& progress);
 
 /// Schema `moldlight.classify/2`; with `draft` where a draft is required.
 [[nodiscard]] Json classify_json(Study& study, const Progress& progress);
-/// Schema `moldlight.actions/1`.
+/// Schema `moldlight.actions/2`.
 [[nodiscard]] Json actions_json(Study& study, const Progress& progress);
 /// Schema `moldlight.mold/2`.
 [[nodiscard]] Json mold_json(Study& study, const Progress& progress);
