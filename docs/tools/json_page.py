@@ -21,12 +21,13 @@ def sections():
 
 
 def reports(session, consoles):
-    """What the commands write with --json. Raises RuntimeError where one fails."""
+    """What the commands write as JSON: reports, settings, the plan of a batch. Raises RuntimeError where one fails."""
     files = []
     for block in consoles:
         for command in blocks.commands(block):
             session.command(command.text)
             if session.status != 0:
                 raise RuntimeError(f"{command.text}: exit code {session.status}: {session.errors}")
-            files += re.findall(r"--json (\S+)", command.text)
+            files += re.findall(r"--(?:json|save-settings) (\S+)", command.text)
+            files += [f"{folder}/batch.json" for folder in re.findall(r"batch plan .*--out (\S+)", command.text)]
     return [json.loads((session.folder / file).read_text(encoding="utf-8")) for file in files]

@@ -34,6 +34,8 @@ def commands(kind):
     """Command lines of a kind of report beside those of the page; each writes to `out.json`."""
     if kind == "info":
         return [f"moldlight info {part} --json out.json" for part in ("open.obj", "boxes.obj", "parts/bottle_cap.stl")]
+    if kind in ("batch", "view"):  # as on the page
+        return []
     if kind == "compare":
         return ["moldlight compare open.obj boxes.obj -d z --json out.json",
                 "moldlight compare parts/bottle_cap.stl parts/bottle_cap.stl --unit mm -d each --json out.json"]

@@ -17,6 +17,8 @@
 #include "gui/script.hpp"
 #include "gui/store/files.hpp"
 #include "gui/window.hpp"
+#include "io/atomic_file.hpp"
+#include "mesh/length_unit.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -32,7 +34,7 @@ struct ViewFlags {
   gui::PartNotes notes;
   gui::WindowSettings window;
   Json window_given = Json::object();
-  std::string screenshot, script, settings;
+  std::string screenshot, script, settings, saved;
   glm::ivec2 size{1280, 720};
   float scale = 1.0F;
   bool settings_given = false, benchmark = false, best_direction = false;
@@ -63,6 +65,14 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
     if (flags.part.empty()) throw UsageError("--direction best needs a PART");
     const auto model = load_part(flags.part, flags.reading, progress);
     notes->settings.direction = best_direction(model, flags.notes.settings.method, progress).direction;
+  }
+  if (!flags.saved.empty()) {
+    check_outputs({.inputs = {{"PART", flags.part}, {"--settings", flags.settings}},
+                   .files = {{"--save-settings", flags.saved}}});
+    gui::PartNotes saved = notes.value_or(gui::PartNotes{});
+    if (const auto unit = find_length_unit(flags.reading.unit)) saved.unit = unit->name;
+    write_file(flags.saved, gui::part_notes_json(saved, flags.part));
+    return 0;
   }
   if (!flags.compare.empty() && flags.part.empty()) throw UsageError("--compare needs a PART");
   if (flags.screenshot.empty()) {
@@ -115,6 +125,9 @@ void add_view_command(CLI::App& program, Request& request) {
                 })
       ->check(named())
       ->trigger_on_parse();
+  add_file_flag(*command, flags->saved,
+                {"--save-settings", "FILE.json",
+                 "Write the settings of all panels, as the flags give them, and open no window"});
   add_file_flag(*command, flags->screenshot,
                 {"--screenshot", "OUT.png",
                  "Write a picture of the window instead of opening it. No display is needed"});

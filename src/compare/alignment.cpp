@@ -28,7 +28,7 @@ namespace moldlight {
 namespace {
 
 constexpr std::size_t k_few_samples = 250, k_samples = 3000;
-constexpr std::size_t k_starts_followed = 4;
+constexpr std::size_t k_starts_tried = 24, k_starts_followed = 3;
 constexpr int k_most_steps = 60;
 /// Shares of the diagonal: points farther off than that have no part in a step; the last is above rounding.
 constexpr double k_first_reach = 0.05, k_last_reach = 1e-6, k_reach_shrinks = 0.7;
@@ -106,13 +106,14 @@ struct SurfacePoint {
   FacetIndex facet = k_no_facet;
 };
 
-SurfacePoint nearest_on(const PartModel& part, const glm::dvec3& from) {
+/// The sooner the nearer `guess` is; the same whatever it is.
+SurfacePoint nearest_on(const PartModel& part, const glm::dvec3& from, FacetIndex guess = k_no_facet) {
   const TriangleMesh& mesh = part.part.mesh;
   const double diagonal = part.frame.diagonal;
   SurfacePoint best{from, {0, 0, 1}, std::numeric_limits<double>::infinity(), k_no_facet};
   const glm::dvec3 outside = glm::max(glm::dvec3(0.0), glm::abs(from - part.frame.center) - 0.5 * diagonal);
   const auto reach = static_cast<float>((glm::length(outside) / diagonal + 2.0));
-  part.rays().visit_near(part.frame.to_unit(from), reach, [&](FacetIndex facet) {
+  const auto visit = [&](FacetIndex facet) {
     const glm::dvec3 at =
         nearest_in_triangle(from, {mesh.corner(facet, 0), mesh.corner(facet, 1), mesh.corner(facet, 2)});
     const double distance = glm::distance(at, from);
@@ -120,7 +121,8 @@ SurfacePoint nearest_on(const PartModel& part, const glm::dvec3& from) {
     if (distance < best.distance || (distance == best.distance && facet < best.facet))
       best = {at, part.geometry.normals[facet], distance, facet};
     return std::min(reach, static_cast<float>(1.0001 * best.distance / diagonal) + 1e-6F);
-  });
+  };
+  part.rays().visit_near(part.frame.to_unit(from), guess != k_no_facet ? visit(guess) : reach, visit);
   return best;
 }
 
@@ -136,12 +138,19 @@ std::vector<glm::dvec3> even_samples(const PartModel& model, std::size_t count, 
   return points;
 }
 
+/// `former`: those of a placement nearby, or none.
 std::vector<SurfacePoint> nearest_points(const PartModel& a, const std::vector<glm::dvec3>& points,
-                                         const Placement& placement) {
-  std::vector<SurfacePoint> nearest(points.size());
-  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t k) {
-    nearest[k] = nearest_on(a, placement.rotation * points[k] + placement.shift);
-  });
+                                         const Placement& placement, std::vector<SurfacePoint> former = {}) {
+  std::vector<SurfacePoint> nearest = std::move(former);
+  nearest.resize(points.size());
+  // A task is worth its start: there are a hundred steps, each of which waits for the last one.
+  constexpr std::size_t k_grain = 64;
+  tbb::parallel_for(tbb::blocked_range(std::size_t{0}, points.size(), k_grain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t k = range.begin(); k < range.end(); ++k)
+                        nearest[k] =
+                            nearest_on(a, placement.rotation * points[k] + placement.shift, nearest[k].facet);
+                    });
   return nearest;
 }
 
@@ -180,9 +189,10 @@ Vector6 solved(Matrix6 matrix, Vector6 right) {
 
 /// One step: the small motion after which the points lie best on the planes of their nearest ones. Points
 /// farther off than `most` and three times the median have no part in it. Returns how far it moves the part,
-/// as share of its size.
-double step(const PartModel& a, const std::vector<glm::dvec3>& points, double most, Placement& placement) {
-  const std::vector<SurfacePoint> nearest = nearest_points(a, points, placement);
+/// as share of its size. `nearest`: those of the step before, or none; then those of this one.
+double step(const PartModel& a, const std::vector<glm::dvec3>& points, double most, Placement& placement,
+            std::vector<SurfacePoint>& nearest) {
+  nearest = nearest_points(a, points, placement, std::move(nearest));
   most = std::max(most, 3.0 * median_distance(nearest));
   const double size = a.frame.diagonal;
   Matrix6 matrix{};
@@ -213,6 +223,21 @@ double step(const PartModel& a, const std::vector<glm::dvec3>& points, double mo
   return angle + glm::length(shift);
 }
 
+/// Steps until it rests. What stayed lies ever nearer, faster than the reach shrinks; what changed is left
+/// out in the end. By the median alone, planes that slide along themselves would be most, and the few that
+/// hold them left out.
+void settle(const PartModel& a, const std::vector<glm::dvec3>& points, Placement& placement,
+            const Progress& progress) {
+  double most = k_first_reach * a.frame.diagonal;
+  std::vector<SurfacePoint> nearest;
+  for (int k = 0; k < k_most_steps; ++k) {
+    progress.report("aligning", 0.0);
+    const bool rests = step(a, points, most, placement, nearest) < 1e-13;
+    if (rests && most <= k_last_reach * a.frame.diagonal) break;
+    most = std::max(k_reach_shrinks * most, k_last_reach * a.frame.diagonal);
+  }
+}
+
 struct Fit {
   Placement placement;
   double misfit = 0.0;
@@ -230,23 +255,20 @@ Fit best_fit(const PartModel& a, const PartModel& b, bool mirrored, const Progre
   std::vector<Fit> fits = {{Placement{}, 0.0}};  // as it lies
   for (const glm::dmat3& rotation : starts(to, from))
     fits.push_back({{rotation, to.centre - rotation * from.centre}, 0.0});
-  for (Fit& fit : fits) {
+  const auto measure = [&](Fit& fit, const std::vector<glm::dvec3>& points) {
     progress.report("aligning", 0.0);
-    fit.misfit = misfit(a, nearest_points(a, few, fit.placement));
-  }
-  std::ranges::stable_sort(fits, {}, &Fit::misfit);
-  fits.resize(std::min(fits.size(), k_starts_followed));
-  for (Fit& fit : fits) {
-    // What stayed lies ever nearer, faster than this shrinks; what changed is left out in the end. By the
-    // median alone, planes that slide along themselves would be most, and the few that hold them left out.
-    double most = k_first_reach * a.frame.diagonal;
-    for (int k = 0; k < k_most_steps; ++k) {
-      progress.report("aligning", 0.0);
-      const bool rests = step(a, many, most, fit.placement) < 1e-13;
-      if (rests && most <= k_last_reach * a.frame.diagonal) break;
-      most = std::max(k_reach_shrinks * most, k_last_reach * a.frame.diagonal);
+    fit.misfit = misfit(a, nearest_points(a, points, fit.placement));
+  };
+  // Of a part that is nearly its own image the few samples find which of its poses is the exact one.
+  for (Fit& fit : fits) measure(fit, few);
+  for (const auto& [points, followed] :
+       {std::pair(&few, k_starts_tried), std::pair(&many, k_starts_followed)}) {
+    std::ranges::stable_sort(fits, {}, &Fit::misfit);
+    fits.resize(std::min(fits.size(), followed));
+    for (Fit& fit : fits) {
+      settle(a, *points, fit.placement, progress);
+      measure(fit, *points);
     }
-    fit.misfit = misfit(a, nearest_points(a, many, fit.placement));
   }
   // The first of those that are alike but for rounding.
   Fit best = fits.front();

@@ -243,6 +243,23 @@ TEST(Usage, OutputsThatMeetInputsOrFoldersEndWithTwo) {
   EXPECT_FALSE(fs::exists(folder));
 }
 
+TEST(Usage, SettingsOfTheWindowAreWrittenAndReadAgain) {
+  const SmallPart part;
+  const std::string first = part.output("first.json"), second = part.output("second.json");
+  const auto run = [](const std::vector<std::string>& words) { return test::run_moldlight(words).exit_code; };
+  ASSERT_EQ(run({"view", part.file(), "-d", "y", "--tau", "2.5", "--unit", "inch", "--save-settings", first}),
+            0);
+  const Json json = Json::parse(test::file_bytes(first));
+  EXPECT_EQ(json["settings"]["direction"], Json({0.0, 1.0, 0.0}));
+  EXPECT_EQ(json["settings"]["tau_deg"], 2.5);
+  EXPECT_EQ(json["unit"], "in");
+  ASSERT_EQ(run({"view", part.file(), "--settings", first, "--save-settings", second}), 0);
+  EXPECT_EQ(test::file_bytes(second), test::file_bytes(first));
+  ASSERT_EQ(run({"view", part.file(), "-d", "best", "--save-settings", second}), 0);
+  EXPECT_NE(test::file_bytes(second), test::file_bytes(first));
+  expect_failure({"view", "--settings", first, "--save-settings", first}, 2, {"--save-settings"});
+}
+
 TEST(Usage, ARevisionInTheWindowIsOneOfAPart) {
   const SmallPart part;
   expect_failure({"view", "--compare", part.file()}, 2, {"--compare needs a PART"});

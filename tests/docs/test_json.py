@@ -31,7 +31,7 @@ class Schemas(unittest.TestCase):
 
     def test_tables(self):
         found = list(json_page.sections())
-        self.assertEqual(len(found), 7)
+        self.assertEqual(len(found), 9)
         for heading, consoles, keys in found:
             reports = json_page.reports(self.session, consoles)
             self.assertTrue(reports, heading)

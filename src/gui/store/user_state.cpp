@@ -64,7 +64,6 @@ void UserState::remember(const std::string& path) {
 
 std::string user_state_json(const UserState& state) {
   Json json;
-  json["schema"] = "moldlight.window/1";
   json["settings"] = options_json(window_options(), state.window);
   json["sweep"] = options_json(sweep_options(), state.sweep);
   json["recent"] = state.recent;
