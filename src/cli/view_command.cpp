@@ -18,7 +18,7 @@
 #include "gui/store/files.hpp"
 #include "gui/window.hpp"
 #include "io/atomic_file.hpp"
-#include "mesh/length_unit.hpp"
+#include "mesh/part.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -70,7 +70,11 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
     check_outputs({.inputs = {{"PART", flags.part}, {"--settings", flags.settings}},
                    .files = {{"--save-settings", flags.saved}}});
     gui::PartNotes saved = notes.value_or(gui::PartNotes{});
-    if (const auto unit = find_length_unit(flags.reading.unit)) saved.unit = unit->name;
+    if (!flags.reading.unit.empty()) {
+      Part named;
+      set_unit(named, flags.reading.unit);
+      saved.unit = named.unit;
+    }
     write_file(flags.saved, gui::part_notes_json(saved, flags.part));
     return 0;
   }

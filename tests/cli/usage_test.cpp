@@ -257,6 +257,7 @@ TEST(Usage, SettingsOfTheWindowAreWrittenAndReadAgain) {
   EXPECT_EQ(test::file_bytes(second), test::file_bytes(first));
   ASSERT_EQ(run({"view", part.file(), "-d", "best", "--save-settings", second}), 0);
   EXPECT_NE(test::file_bytes(second), test::file_bytes(first));
+  expect_failure({"view", part.file(), "--unit", "ell", "--save-settings", second}, 2, {"--unit", "ell"});
   expect_failure({"view", "--settings", first, "--save-settings", first}, 2, {"--save-settings"});
 }
 
