@@ -96,7 +96,7 @@ class View {
     const lines = (buffer, u_motion, u_ink, thick, kind = "LINES") => {
       for (let x = -thick; x <= thick; ++x) for (let y = -thick; y <= thick; ++y) {
         const uniforms = {...common, u_motion, u_ink, u_lift: 0.0015, u_nudge: [2 * x / width, 2 * y / height]};
-        if (x * x + y * y <= thick * thick + 0.5) tools.draw("line", uniforms, buffer, kind);
+        if (buffer.count && x * x + y * y <= thick * thick + 0.5) tools.draw("line", uniforms, buffer, kind);
       }
     };
     surfaces(true, 1);
