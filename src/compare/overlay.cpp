@@ -98,6 +98,12 @@ class Laying {
   struct Halvings {
     int count = 0, useless = 0;
     std::size_t near = ~std::size_t{0};  // before the last
+
+    /// With so many near now.
+    [[nodiscard]] Halvings next(std::size_t count_near) const {
+      return {count + 1, count_near < near ? 0 : useless + 1, count_near};
+    }
+    [[nodiscard]] bool allowed() const { return count <= k_most_halvings && useless < k_most_useless; }
   };
 
   [[nodiscard]] Nearness nearness(PieceIndex other, const Slack& slack) const {
@@ -111,58 +117,93 @@ class Laying {
 
   /// Gives what lies on the other part to the result, and the rest to left_.
   void lay(const ConvexPolygon& polygon, const Slack& slack, const Halvings& halvings, PieceOverlay& result) {
-    const glm::dvec3 centre = polygon_centre(polygon);
+    const glm::dvec3 centre = polygon_centre(polygon), normal = side_.normal(piece_);
     const double radius = reach_from(centre, polygon);
     const double chords = side_.chords().lateral[side_.facet(piece_)] + onto_.chords().greatest;
     // A hull's corners reach out half as far again.
     const double reach = 2.0 * (slack.base + (slack.explaining ? chords : 0.0));
-    std::vector<PieceIndex> near;
-    visit_pieces(onto_, centre, radius + reach, [&](PieceIndex other) { near.push_back(other); });
-    std::ranges::sort(near);
-    std::vector<Over> over;
-    for (const PieceIndex other : near) {
-      if (glm::dot(side_.normal(piece_), onto_.normal(other)) < k_least_facing || onto_.area(other) <= 0.0)
-        continue;
+    const auto reach_of = [&](PieceIndex other) {
       const Nearness within = nearness(other, slack);
-      if (glm::distance(onto_.centre(other), centre) >
-          radius + onto_.radius(other) + 2.0 * (within.normal + within.lateral))
-        continue;
-      const Over one{other, within.lateral, hull_around(onto_.corners(other), onto_.normal(other), within)};
-      const HullSide where = side_of(polygon, one.hull, rounding_);
+      return onto_.radius(other) + 2.0 * (within.normal + within.lateral);
+    };
+    std::vector<PieceIndex> near;
+    visit_pieces(onto_, centre, radius + reach, [&](PieceIndex other) {
+      if (glm::dot(normal, onto_.normal(other)) < k_least_facing || onto_.area(other) <= 0.0) return;
+      const double around = reach_of(other);
+      const glm::dvec3 way = onto_.centre(other) - centre;
+      if (std::abs(glm::dot(normal, way)) <= around + rounding_ && glm::length(way) <= radius + around)
+        near.push_back(other);
+    });
+    std::ranges::sort(near);
+    const Halvings next = halvings.next(near.size());
+    const bool halve = near.size() > k_many_near && next.allowed() && radius > reach;
+    std::vector<Over> hulls;
+    for (const PieceIndex other : near) {
+      // What holds the polygon is half as large at least.
+      if (halve && (reach_of(other) < 0.5 * radius || !same_region(other))) continue;
+      const Nearness within = nearness(other, slack);
+      hulls.push_back(
+          {other, within.lateral, hull_around(onto_.corners(other), onto_.normal(other), within)});
+    }
+    std::vector<const Over*> candidates, over;
+    for (const Over& one : hulls) candidates.push_back(&one);
+    if (!find_over(polygon, candidates, slack, over, result)) return;
+    if (!halve) {
+      divide(polygon, over, reach, slack, next, result);
+      return;
+    }
+    if (progress_.cancelled()) throw Cancelled();
+    for (const ConvexPolygon& half : halved(polygon)) lay(half, slack, next, result);
+  }
+
+  /// The same where all that may be over the polygon is known.
+  void divide(const ConvexPolygon& polygon, std::vector<const Over*>& over, double reach, const Slack& slack,
+              const Halvings& halvings, PieceOverlay& result) {
+    const Halvings next = halvings.next(over.size());
+    if (over.size() <= k_many_over || !next.allowed() ||
+        reach_from(polygon_centre(polygon), polygon) <= reach) {
+      std::ranges::stable_partition(over, [&](const Over* one) { return same_region(one->piece); });
+      subtract(polygon, over, slack, result);
+      return;
+    }
+    if (progress_.cancelled()) throw Cancelled();
+    for (const ConvexPolygon& half : halved(polygon)) {
+      std::vector<const Over*> over_half;
+      if (find_over(half, over, slack, over_half, result))
+        divide(half, over_half, reach, slack, next, result);
+    }
+  }
+
+  /// Finds those that are not beside the polygon. False if one of the same region holds all of it, and has
+  /// taken it: one of another region may be beside one of the same, within the tolerance.
+  bool find_over(const ConvexPolygon& polygon, const std::vector<const Over*>& candidates, const Slack& slack,
+                 std::vector<const Over*>& over, PieceOverlay& result) const {
+    for (const Over* one : candidates) {
+      const HullSide where = side_of(polygon, one->hull, rounding_);
       if (where == HullSide::outside) continue;
-      // One of another region may be beside one of the same, within the tolerance.
-      if (where == HullSide::inside && same_region(other)) {
-        take(polygon, one, slack, result);
-        return;
+      if (where == HullSide::inside && same_region(one->piece)) {
+        take(polygon, *one, slack, result);
+        return false;
       }
       over.push_back(one);
     }
-    const int useless = near.size() < halvings.near ? 0 : halvings.useless + 1;
-    if ((near.size() > k_many_near || over.size() > k_many_over) && halvings.count < k_most_halvings &&
-        useless < k_most_useless && radius > reach) {
-      if (progress_.cancelled()) throw Cancelled();
-      for (const ConvexPolygon& half : halved(polygon))
-        lay(half, slack, {halvings.count + 1, useless, near.size()}, result);
-      return;
-    }
-    std::stable_partition(over.begin(), over.end(), [&](const Over& one) { return same_region(one.piece); });
-    subtract(polygon, over, slack, result);
+    return true;
   }
 
-  void subtract(const ConvexPolygon& polygon, const std::vector<Over>& over, const Slack& slack,
+  void subtract(const ConvexPolygon& polygon, const std::vector<const Over*>& over, const Slack& slack,
                 PieceOverlay& result) {
     std::vector<ConvexPolygon> rest = {polygon}, next;
-    for (const Over& one : over) {
+    for (const Over* one : over) {
       // On dense curved surface hulls cut a piece into very many.
       if (progress_.cancelled()) throw Cancelled();
       next.clear();
       for (ConvexPolygon& part : rest) {
-        if (side_of(part, one.hull, rounding_) == HullSide::outside) {
+        if (side_of(part, one->hull, rounding_) == HullSide::outside) {
           next.push_back(std::move(part));
           continue;
         }
-        const ConvexPolygon inside = cut_by(part, one.hull, rounding_, next);
-        if (!inside.empty()) take(inside, one, slack, result);
+        const ConvexPolygon inside = cut_by(part, one->hull, rounding_, next);
+        if (!inside.empty()) take(inside, *one, slack, result);
       }
       std::swap(rest, next);
       if (rest.empty()) return;
