@@ -162,7 +162,8 @@ class Laying {
     const Halvings next = halvings.next(over.size());
     if (over.size() <= k_many_over || !next.allowed() ||
         reach_from(polygon_centre(polygon), polygon) <= reach) {
-      std::ranges::stable_partition(over, [&](const Over* one) { return same_region(one->piece); });
+      std::stable_partition(over.begin(), over.end(),
+                            [&](const Over* one) { return same_region(one->piece); });
       subtract(polygon, over, slack, result);
       return;
     }
