@@ -186,6 +186,7 @@ UnionFind LeftOvers::joined(const Progress& progress) const {
 }
 
 void LeftOvers::add_explained(std::vector<std::uint32_t>& place_of, const Progress& progress) const {
+  if (std::ranges::all_of(place_of, [](std::uint32_t place) { return place == k_no_change; })) return;
   std::vector<ReachingPolygon> rims;
   for (const LeftOver* one : all_) rims.push_back({&one->polygon, tolerance_.rounding});
   const std::vector<std::uint32_t> certain = place_of;

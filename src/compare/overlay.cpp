@@ -128,11 +128,11 @@ class Laying {
     };
     std::vector<PieceIndex> near;
     visit_pieces(onto_, centre, radius + reach, [&](PieceIndex other) {
-      if (glm::dot(normal, onto_.normal(other)) < k_least_facing || onto_.area(other) <= 0.0) return;
-      const double around = reach_of(other);
       const glm::dvec3 way = onto_.centre(other) - centre;
-      if (std::abs(glm::dot(normal, way)) <= around + rounding_ && glm::length(way) <= radius + around)
-        near.push_back(other);
+      const double off = std::max(std::abs(glm::dot(normal, way)) - rounding_, glm::length(way) - radius);
+      if (glm::dot(normal, onto_.normal(other)) < k_least_facing || onto_.area(other) <= 0.0) return;
+      // What tessellations may be off is asked for only where it matters.
+      if (off <= onto_.radius(other) || off <= reach_of(other)) near.push_back(other);
     });
     std::ranges::sort(near);
     const Halvings next = halvings.next(near.size());
@@ -250,13 +250,15 @@ OverlaySide::OverlaySide(std::shared_ptr<const PartModel> model, const Classific
         const TriangleMesh mesh = piece_mesh(*split_);
         return ExactRays(mesh, unit_positions(mesh, model_->frame));
       }()) {
-  areas_.reserve(count());
+  measures_.reserve(count());
   for (PieceIndex piece = 0; piece < count(); ++piece) {
     const auto [a, b, c] = corners(piece);
-    areas_.push_back(piece_area(*split_, split_->pieces[piece]));
-    centres_.push_back((a + b + c) / 3.0);
-    radii_.push_back(std::max({glm::distance(a, centres_.back()), glm::distance(b, centres_.back()),
-                               glm::distance(c, centres_.back())}));
+    const glm::dvec3 centre = (a + b + c) / 3.0;
+    measures_.push_back(
+        {.centre = centre,
+         .normal = model_->geometry.normals[facet(piece)],
+         .radius = std::max({glm::distance(a, centre), glm::distance(b, centre), glm::distance(c, centre)}),
+         .area = piece_area(*split_, split_->pieces[piece])});
   }
 }
 

@@ -47,27 +47,30 @@ class OverlaySide {
   [[nodiscard]] std::size_t count() const { return split_->pieces.size(); }
   [[nodiscard]] FacetIndex facet(PieceIndex piece) const { return split_->pieces[piece].facet; }
   [[nodiscard]] Region region(PieceIndex piece) const { return split_->pieces[piece].region; }
-  [[nodiscard]] const glm::dvec3& normal(PieceIndex piece) const {
-    return model_->geometry.normals[facet(piece)];
-  }
-  [[nodiscard]] double area(PieceIndex piece) const { return areas_[piece]; }
+  [[nodiscard]] const glm::dvec3& normal(PieceIndex piece) const { return measures_[piece].normal; }
+  [[nodiscard]] double area(PieceIndex piece) const { return measures_[piece].area; }
   /// A sphere around it.
-  [[nodiscard]] const glm::dvec3& centre(PieceIndex piece) const { return centres_[piece]; }
-  [[nodiscard]] double radius(PieceIndex piece) const { return radii_[piece]; }
+  [[nodiscard]] const glm::dvec3& centre(PieceIndex piece) const { return measures_[piece].centre; }
+  [[nodiscard]] double radius(PieceIndex piece) const { return measures_[piece].radius; }
   [[nodiscard]] std::array<glm::dvec3, 3> corners(PieceIndex piece) const {
     const auto& [a, b, c] = split_->pieces[piece].corners;
     return {split_->vertices[a], split_->vertices[b], split_->vertices[c]};
   }
 
  private:
+  /// Of a piece, beside each other: they are asked for by the million.
+  struct Measures {
+    glm::dvec3 centre, normal;
+    double radius = 0.0, area = 0.0;
+  };
+
   std::shared_ptr<const PartModel> model_;
   std::shared_ptr<const SplitMesh> split_;
   glm::dvec3 direction_;
   double tau_deg_;
   Faces faces_;
   ChordDeviation chords_;
-  std::vector<double> areas_, radii_;
-  std::vector<glm::dvec3> centres_;
+  std::vector<Measures> measures_;
   ExactRays rays_;
 };
 
