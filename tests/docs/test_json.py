@@ -3,6 +3,7 @@
 import unittest
 
 import documents  # noqa: F401, finds the tools
+import blocks
 import json_page
 import runs
 
@@ -31,6 +32,8 @@ class Schemas(unittest.TestCase):
 
     def test_tables(self):
         found = list(json_page.sections())
+        named = [line.split("`")[1] for line in blocks.read(json_page.PAGE) if line.startswith("| `moldlight.")]
+        self.assertEqual(sorted(named), sorted(heading for heading, _, _ in found if heading.startswith("moldlight.")))
         self.assertEqual(len(found), 9)
         for heading, consoles, keys in found:
             reports = json_page.reports(self.session, consoles)
