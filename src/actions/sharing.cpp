@@ -49,6 +49,8 @@ class Sharing {
         if (std::ranges::find(group, k) != group.end() || !undercut_parts_[k].allows(pull.kind) ||
             are_far(group[next], k, pull.direction) || !may_share(first, k, pull.direction) ||
             !are_near(group[next], k, pull.direction) ||
+            std::ranges::any_of(group,
+                                [&](std::size_t one) { return is_far_behind(one, k, pull.direction); }) ||
             !pulls_.release().releases(undercut_parts_[k].samples, pull.direction, k_never))
           continue;
         group.push_back(k);
@@ -107,7 +109,10 @@ class Sharing {
            glm::length(between - along * pull) - both > reach_.across;
   }
 
-  [[nodiscard]] bool are_near(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
+  struct Spacing {
+    double gap = 0.0, longer = 0.0;  // between them along the pull; of the two the one that is longer there
+  };
+  [[nodiscard]] Spacing spacing(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
     std::array<double, 2> least{k_never, k_never}, greatest{-k_never, -k_never};
     for (const std::size_t which : {a, b}) {
       const std::size_t side = which == a ? 0 : 1;
@@ -117,11 +122,19 @@ class Sharing {
         greatest[side] = std::max(greatest[side], at);
       }
     }
-    const double gap = std::max(least[0] - greatest[1], least[1] - greatest[0]);
-    const double longer = std::max(greatest[0] - least[0], greatest[1] - least[1]);
-    // What lies behind the other is reached through the steel between: a pin through knuckles, but not one
-    // through the core of a box.
-    if (gap > reach_.along || (gap > k_bridged * longer && are_in_line(a, b, pull))) return false;
+    return {std::max(least[0] - greatest[1], least[1] - greatest[0]),
+            std::max(greatest[0] - least[0], greatest[1] - least[1])};
+  }
+
+  /// What lies behind the other is reached through the steel between: a pin through knuckles, but not one
+  /// through the core of a box.
+  [[nodiscard]] bool is_far_behind(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
+    const auto [gap, longer] = spacing(a, b, pull);
+    return gap > k_bridged * longer && are_in_line(a, b, pull);
+  }
+
+  [[nodiscard]] bool are_near(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
+    if (spacing(a, b, pull).gap > reach_.along) return false;
     return std::ranges::any_of(undercut_parts_[a].samples, [&](const UndercutSample& one) {
       return std::ranges::any_of(undercut_parts_[b].samples, [&](const UndercutSample& other) {
         const glm::dvec3 between(one.position - other.position);

@@ -150,6 +150,30 @@ inline TriangleMesh box_with_vents(const glm::dvec2& size = {60, 90}) {
   return solid.mesh();
 }
 
+/// A small box with a window in each of two opposite walls, and in one of them another, lower and aside.
+inline TriangleMesh box_with_a_window_aside() {
+  const glm::dvec3 low(0, 0, 0), high(24, 24, 18), in_low(low + 2.0), in_high(22, 22, 18);
+  SolidBuilder solid;
+  solid.box(low, high, {0, 1, 5});
+  solid.face(box_face(low, high, 5), {box_face(in_low, in_high, 5)});
+  solid.box(in_low, in_high, {0, 1, 5}, true);
+  for (const bool far : {false, true}) {
+    std::vector<std::pair<glm::dvec3, glm::dvec3>> windows = {{{0, 8, 12}, {2, 16, 14}}};
+    if (far) windows = {{{22, 8, 12}, {24, 16, 14}}, {{22, 17, 4}, {24, 20, 6}}};
+    std::vector<test::Loop> outer, inner;
+    for (const auto& [window_low, window_high] : windows) {
+      solid.box(window_low, window_high, {0, 1}, true);
+      outer.push_back(box_face(window_low, window_high, far ? 1 : 0));
+      inner.push_back(box_face(window_low, window_high, far ? 0 : 1));
+    }
+    solid.face(box_face(low, high, far ? 1 : 0), outer);
+    test::Loop wall = box_face(in_low, in_high, far ? 1 : 0);
+    std::ranges::reverse(wall);
+    solid.face(wall, inner);
+  }
+  return solid.mesh();
+}
+
 /// A tube's end with two flanges: along its axis the space between them is undercut all round.
 inline TriangleMesh spool(int sides, double turn_deg) {
   const auto ring = [&](double radius) { return regular_polygon(sides, radius, turn_deg); };

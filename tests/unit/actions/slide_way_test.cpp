@@ -28,6 +28,17 @@ TEST(SlideWay, OfVentsInFourWallsIsOutwards) {
   }
 }
 
+/// The window aside may share a slide with either of the others; these two still not with each other.
+TEST(SlideWay, OfOppositeWindowsIsOutwardsThoughAThirdIsBesideBoth) {
+  const Planned planned = plan_of(box_with_a_window_aside());
+  ASSERT_EQ(actions_text(planned.plan), "2 slides");
+  for (const SideAction& action : planned.plan.actions) {
+    EXPECT_EQ(action.undercuts.size(), action.direction.x > 0.0 ? 2U : 1U);
+    EXPECT_NEAR(std::abs(action.direction.x), 1.0, 1e-9);
+    EXPECT_NEAR(action.travel, 2.0 + 3.0, 1e-3);
+  }
+}
+
 /// A hole in the one wall of a long plate leaves by the wall's side, not over the plate.
 TEST(SlideWay, OfAHoleInAWallIsTheShorterOne) {
   for (const bool at_far_end : {false, true}) {
