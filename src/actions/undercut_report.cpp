@@ -13,6 +13,10 @@ namespace moldlight {
 
 namespace {
 
+/// Of a face: where less of it is undercut, its rest stays with the half that forms it, and no slide covers
+/// the side of a part for the sake of a corner.
+constexpr double k_least_hidden = 0.1;
+
 struct StraightWay {
   glm::dvec3 direction;
   double length;  // unit frame
@@ -65,8 +69,16 @@ void add_formed_surface(const FormedContext& context, const SideAction* action, 
                                                         : std::numeric_limits<double>::infinity();
   noted.formed_area = 0.0;
   for (const std::uint32_t face : touched) {
+    double area = 0.0, hidden_area = 0.0;
+    for (const FacetIndex facet : faces.facets(face)) {
+      area += model.geometry.areas[facet];
+      if (const auto hidden = undercut_of.find(facet); hidden != undercut_of.end())
+        hidden_area += hidden->second;
+    }
+    const bool whole = hidden_area >= k_least_hidden * area;
     for (const FacetIndex facet : faces.facets(face)) {
       const auto hidden = undercut_of.find(facet);
+      if (!whole && hidden == undercut_of.end()) continue;
       if (model.geometry.areas[facet] > 0.0 && is_free(model, facet, release, {action->direction, far})) {
         noted.formed_area += model.geometry.areas[facet];
         noted.formed.push_back(facet);
