@@ -54,7 +54,7 @@ class Session:
     def command(self, text):
         """Standard output of a shell command; `$?` is the exit code of the one before."""
         # A window is drawn into a picture, since there may be no display.
-        if text.startswith("moldlight view") and "--screenshot" not in text:
+        if text.startswith("moldlight view") and "--screenshot" not in text and "--save-settings" not in text:
             text += " --quick-sweep off --size 640x480 --screenshot window.png"
         return self._run(["bash", "-c", f"(exit {self.status})\n{text}"], self.folder)
 

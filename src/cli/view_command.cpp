@@ -18,7 +18,7 @@
 #include "gui/store/files.hpp"
 #include "gui/window.hpp"
 #include "io/atomic_file.hpp"
-#include "mesh/part.hpp"
+#include "mesh/length_unit.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -70,11 +70,7 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
     check_outputs({.inputs = {{"PART", flags.part}, {"--settings", flags.settings}},
                    .files = {{"--save-settings", flags.saved}}});
     gui::PartNotes saved = notes.value_or(gui::PartNotes{});
-    if (!flags.reading.unit.empty()) {
-      Part named;
-      set_unit(named, flags.reading.unit);
-      saved.unit = named.unit;
-    }
+    if (!flags.reading.unit.empty()) saved.unit = parse_length_unit(flags.reading.unit).name;
     write_file(flags.saved, gui::part_notes_json(saved, flags.part));
     return 0;
   }
@@ -129,12 +125,14 @@ void add_view_command(CLI::App& program, Request& request) {
                 })
       ->check(named())
       ->trigger_on_parse();
-  add_file_flag(*command, flags->saved,
-                {"--save-settings", "FILE.json",
-                 "Write the settings of all panels, as the flags give them, and open no window"});
+  CLI::Option* save =
+      add_file_flag(*command, flags->saved,
+                    {"--save-settings", "FILE.json",
+                     "Write the settings of all panels, as the flags give them, and open no window"});
   add_file_flag(*command, flags->screenshot,
                 {"--screenshot", "OUT.png",
-                 "Write a picture of the window instead of opening it. No display is needed"});
+                 "Write a picture of the window instead of opening it. No display is needed"})
+      ->excludes(save);
   add_size_flag(*command, flags->size, "Size of the window's picture", k_least_size);
   add_text_flag(*command,
                 {"--scale", "FACTOR",
@@ -144,9 +142,11 @@ void add_view_command(CLI::App& program, Request& request) {
                 });
   add_file_flag(*command, flags->script,
                 {"--script", "EVENTS.json", "Play these input events before the picture"});
-  command->add_flag("--benchmark", flags->benchmark,
-                    "Print frame times without a display: plain shading, regions at rest, and regions with a "
-                    "direction that changes every frame");
+  command
+      ->add_flag("--benchmark", flags->benchmark,
+                 "Print frame times without a display: plain shading, regions at rest, and regions with a "
+                 "direction that changes every frame")
+      ->excludes(save);
   CLI::Option* compare =
       add_file_flag(*command, flags->compare,
                     {"--compare", "FILE", "Show another revision of the part beside it and compare them"});

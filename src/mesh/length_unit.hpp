@@ -2,8 +2,11 @@
 // make sense for a part.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -37,6 +40,15 @@ struct LengthUnit {
     if (known.word == word) return known.unit;
   }
   return std::nullopt;
+}
+
+/// The same of a user's word, whatever its case. Throws UsageError for others.
+[[nodiscard]] inline LengthUnit parse_length_unit(std::string_view word) {
+  std::string lower(word);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto unit = find_length_unit(lower);
+  if (!unit) throw UsageError(fmt::format("--unit: '{}' is unknown; use um, mm, cm, dm, m, in or ft", word));
+  return *unit;
 }
 
 /// Throws UsageError that names the flag for a length of more than the part's diagonal, both in model units.

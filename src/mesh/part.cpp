@@ -87,14 +87,11 @@ Part select_body(Part part, std::string_view selector) {
 }
 
 void set_unit(Part& part, std::string_view unit) {
-  std::string word(unit);
-  std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
-  const auto to = find_length_unit(word);
-  if (!to) throw UsageError(fmt::format("--unit: '{}' is unknown; use um, mm, cm, dm, m, in or ft", unit));
+  const LengthUnit to = parse_length_unit(unit);
   const auto from = find_length_unit(part.unit);
-  part.unit = to->name;
-  if (!from || from->mm == to->mm) return;
-  for (glm::dvec3& vertex : part.mesh.vertices) vertex *= from->mm / to->mm;
+  part.unit = to.name;
+  if (!from || from->mm == to.mm) return;
+  for (glm::dvec3& vertex : part.mesh.vertices) vertex *= from->mm / to.mm;
   part.mesh = weld_vertices(part.mesh);
 }
 

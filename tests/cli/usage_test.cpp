@@ -259,6 +259,12 @@ TEST(Usage, SettingsOfTheWindowAreWrittenAndReadAgain) {
   EXPECT_NE(test::file_bytes(second), test::file_bytes(first));
   expect_failure({"view", part.file(), "--unit", "ell", "--save-settings", second}, 2, {"--unit", "ell"});
   expect_failure({"view", "--settings", first, "--save-settings", first}, 2, {"--save-settings"});
+  for (const std::vector<std::string>& other :
+       {std::vector<std::string>{"--screenshot", part.output("a.png")}, {"--benchmark"}}) {
+    std::vector<std::string> words = {"view", part.file(), "--save-settings", second};
+    words.insert(words.end(), other.begin(), other.end());
+    expect_failure(words, 2, {"--save-settings", other.front()});
+  }
 }
 
 TEST(Usage, ARevisionInTheWindowIsOneOfAPart) {
