@@ -340,6 +340,17 @@ Alignment align_scaled(const PartModel& a, const PartModel& b, const UniformScal
   return measured(a, b, {scale.rotation, scale.shift - (scale.factor - 1.0) * principal_frame(a).centre});
 }
 
+std::optional<std::pair<LengthUnit, LengthUnit>> mistaken_units(double factor) {
+  constexpr double k_same = 1e-3;
+  for (const std::string_view of_a : {"mm", "in", "cm", "m"}) {
+    for (const std::string_view of_b : {"mm", "in", "cm", "m"}) {
+      const LengthUnit a = *find_length_unit(of_a), b = *find_length_unit(of_b);
+      if (of_a != of_b && std::abs(factor * b.mm / a.mm - 1.0) < k_same) return std::pair(a, b);
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<UniformScale> find_scale(const PartModel& a, const PartModel& b,
                                        const std::optional<Alignment>& alignment, double apart,
                                        const Progress& progress) {
@@ -352,7 +363,8 @@ std::optional<UniformScale> find_scale(const PartModel& a, const PartModel& b,
   for (int axis = 0; axis < 3 && !alignment; ++axis)
     factors.push_back((box_b.max[axis] - box_b.min[axis]) / (box_a.max[axis] - box_a.min[axis]));
   std::erase_if(factors, [](double factor) {
-    return !(std::abs(factor - 1.0) <= k_most) || std::abs(factor - 1.0) < k_least;
+    const bool near = std::abs(factor - 1.0) <= k_most || mistaken_units(factor);
+    return !near || std::abs(factor - 1.0) < k_least;
   });
   if (factors.empty()) return std::nullopt;
   const SampledSide side_a(a), side_b(b);

@@ -4,12 +4,14 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include "base/progress.hpp"
 #include "classify/part_model.hpp"
+#include "mesh/length_unit.hpp"
 
 namespace moldlight {
 
@@ -30,11 +32,14 @@ struct Alignment {
 
 /// B as A in another size, such as by a shrink that was left out.
 struct UniformScale {
-  double factor = 1.0;  // lengths of B in those of A, in [0.9, 1.1]
+  double factor = 1.0;  // lengths of B in those of A, in [0.9, 1.1] or that of two units
   double other = 0.0;   // share of both surfaces that is off nevertheless, in [0, 0.2]
   glm::dmat3 rotation{1.0};
   glm::dvec3 shift{0.0};  // a point of B, rotation * point + shift, lies on factor * A
 };
+/// Units that A and B would have if they were one part and B's numbers `factor` times A's: two of mm, cm,
+/// inch and m, to a thousandth. None for other factors.
+[[nodiscard]] std::optional<std::pair<LengthUnit, LengthUnit>> mistaken_units(double factor);
 /// None where B is as large as A, or is no better explained by a scale. With `alignment`, how B lies best as
 /// it is, B may lie anywhere; else it is scaled about the origin or about a point of its box or its surface.
 /// What is off is farther than `apart`, in A's unit, and than the chords there may be. Throws Cancelled.

@@ -121,7 +121,7 @@ struct ReportRow {
 constexpr std::array<ReportRow, 24> k_report_rows = {{
     {k_verdict_figure, {"/verdict/state", "/verdict/state", "/verdict/state", "/verdict/state"}},
     {"undercut",
-     {"/areas/undercut", "/areas/undercut", "/verdict/undercut_area", "/assignment/action"},
+     {"/areas/undercut", "/areas/undercut", "/verdict/undercut_area", "/verdict/undercut_area"},
      true},
     {"core", {"/areas/core", "/areas/core", "", "/assignment/core"}, true},
     {"cavity", {"/areas/cavity", "/areas/cavity", "", "/assignment/cavity"}, true},

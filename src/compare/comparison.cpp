@@ -91,9 +91,14 @@ OverlayTolerance overlay_tolerance(const CompareSettings& settings, double diago
   return tolerance;
 }
 
-/// "B is A × 1.0100 but for 2.5 % of the surface"
+/// "B is A × 1.0100 but for 2.5 % of the surface", "B is A × 25.4, as if A were in inches and B in mm"
 std::string scale_text(const UniformScale& scale) {
-  const std::string times = fmt::format("B is A × {:.4f}", scale.factor);
+  const auto units = mistaken_units(scale.factor);
+  const std::string times = units
+                                ? fmt::format("B is A × {:.4g}, as if A were in {} and B in {}", scale.factor,
+                                              units->first.name == "in" ? "inches" : units->first.name,
+                                              units->second.name == "in" ? "inches" : units->second.name)
+                                : fmt::format("B is A × {:.4f}", scale.factor);
   return scale.other > 0.0 ? fmt::format("{} but for {:.1f} % of the surface", times, 100.0 * scale.other)
                            : times;
 }

@@ -31,6 +31,21 @@ TEST(Scale, IsFoundAndNamed) {
   }
 }
 
+TEST(Scale, OfAnotherUnitIsNamedByBoth) {
+  const TriangleMesh mesh = plate_mesh({.hole_radius = 3.0, .rib = 2.0});
+  for (const auto& [factor, text] :
+       {std::pair(25.4, "B is A × 25.4, as if A were in inches and B in mm."),
+        std::pair(1.0 / 25.4, "B is A × 0.03937, as if A were in mm and B in inches."),
+        std::pair(10.0, "B is A × 10, as if A were in cm and B in mm."),
+        std::pair(1e-3, "B is A × 0.001, as if A were in mm and B in m.")}) {
+    const TriangleMesh other = test::rounded_to_float(test::scaled(mesh, factor));
+    EXPECT_TRUE(comparison_verdict(compared(mesh, other, false)).starts_with(text)) << factor;
+    const TriangleMesh turned = test::rounded_to_float(test::rotated(other, test::random_rotation(3)));
+    EXPECT_TRUE(comparison_verdict(compared(mesh, turned, true)).starts_with(text)) << factor << " turned";
+  }
+  EXPECT_FALSE(compared(mesh, test::scaled(mesh, 24.0), false).scale.has_value());
+}
+
 TEST(Scale, IsFoundOfATurnedPart) {
   const TriangleMesh mesh = plate_mesh({.hole_radius = 3.0, .rib = 2.0});
   const Comparison found =
