@@ -75,10 +75,12 @@ void add_formed_surface(const FormedContext& context, const SideAction* action, 
       if (const auto hidden = undercut_of.find(facet); hidden != undercut_of.end())
         hidden_area += hidden->second;
     }
-    const bool whole = hidden_area >= k_least_hidden * area;
+    if (hidden_area < k_least_hidden * area) {
+      noted.formed_area += hidden_area;
+      continue;
+    }
     for (const FacetIndex facet : faces.facets(face)) {
       const auto hidden = undercut_of.find(facet);
-      if (!whole && hidden == undercut_of.end()) continue;
       if (model.geometry.areas[facet] > 0.0 && is_free(model, facet, release, {action->direction, far})) {
         noted.formed_area += model.geometry.areas[facet];
         noted.formed.push_back(facet);

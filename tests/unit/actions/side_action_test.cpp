@@ -101,16 +101,20 @@ TEST(SideHole, LeaningOutOfThePlaneIsInclined) {
 }
 
 /// A slot in a side, whose floor leans out under the part's top: the lower part of the floor is the core's,
-/// but the slide that forms the rest forms it, too.
-TEST(SideAction, FormsTheWholeFacesOfItsUndercut) {
-  SolidBuilder solid;  // in the xz-plane: the notch's back runs from (10, 4) to (16, 16), over it a lid
-  solid.extrude({{0, 0}, {30, 0}, {30, 4}, {10, 4}, {16, 16}, {22, 16}, {22, 20}, {0, 20}}, {}, 12.0);
-  const Planned planned = plan_of(solid.mesh(), {}, {0, 0, 1});
-  ASSERT_EQ(planned.plan.undercuts.size(), 1U);
-  const UndercutReport& noted = planned.plan.undercuts.front();
-  const double back_and_lid = 12.0 * (std::sqrt(180.0) + 6.0);
-  EXPECT_NEAR(noted.undercut.area, back_and_lid + 12.0 * 12.0, 0.1) << "with the floor from x = 10 to 22";
-  EXPECT_NEAR(noted.formed_area, back_and_lid + 20.0 * 12.0, 0.1) << "with the whole floor, to x = 30";
+/// but the slide that forms the rest forms it, too; not a floor of which it is a small part.
+TEST(SideAction, FormsTheFacesOfItsUndercutThatAreHardlyMore) {
+  for (const double end : {30.0, 200.0}) {
+    SolidBuilder solid;  // in the xz-plane: the notch's back runs from (10, 4) to (16, 16), over it a lid
+    solid.extrude({{0, 0}, {end, 0}, {end, 4}, {10, 4}, {16, 16}, {22, 16}, {22, 20}, {0, 20}}, {}, 12.0);
+    const Planned planned = plan_of(solid.mesh(), {}, {0, 0, 1});
+    SCOPED_TRACE(end);
+    ASSERT_EQ(planned.plan.undercuts.size(), 1U);
+    const UndercutReport& noted = planned.plan.undercuts.front();
+    const double back_and_lid = 12.0 * (std::sqrt(180.0) + 6.0), hidden = 12.0 * 12.0;
+    EXPECT_NEAR(noted.undercut.area, back_and_lid + hidden, 0.1) << "with the floor from x = 10 to 22";
+    const double floor = end == 30.0 ? 12.0 * (end - 10.0) : hidden;
+    EXPECT_NEAR(noted.formed_area, back_and_lid + floor, 0.1);
+  }
 }
 
 /// A notch under a roof that reaches far beyond it: a slide need not pass the roof if it belongs to the other
