@@ -25,7 +25,7 @@ struct ProgramSources {
   Defines defines = {};
 };
 
-/// Leaves no program in use, so that none is kept alive by that.
+/// Leaves no program in use.
 void use_no_program(const Functions& gl);
 
 class Program {
@@ -73,6 +73,12 @@ class Program {
 class Programs {
  public:
   explicit Programs(const Functions& gl) : gl_(&gl) {}
+  Programs(Programs&&) = default;
+  Programs& operator=(Programs&&) = delete;
+  /// A card's driver was seen to draw nothing by a program made after one was deleted that was in use.
+  ~Programs() {
+    if (!programs_.empty()) use_no_program(*gl_);
+  }
 
   /// The program of these files below shaders/ with each of `defines` defined, in use from now on; empty
   /// defines are left out. Throws Error where it does not compile.
