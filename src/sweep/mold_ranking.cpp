@@ -254,22 +254,29 @@ MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, st
   const auto is_open = [](const Contender& contender) {
     return contender.cost && !contender.whole && contender.actions->weight > 0.0;
   };
-  for (std::size_t looked_at = 0;; ++looked_at) {
+  for (std::size_t looked_at = 0;;) {
     Listed list = listed(contenders);
     const auto leading = std::span(list.contenders).first(std::min(most, list.contenders.size()));
-    const auto open = std::ranges::find_if(leading, is_open);
-    if (open == leading.end() || (looked_at >= most + k_most_overtaken && open != leading.begin()))
-      return list;
-    const auto found =
-        tools_.actions.find(std::array{open->candidate.direction}, {}, tools_.clock, PlanDetail::whole);
-    if (!found.front()) return list;
-    Contender& contender = *std::ranges::find_if(contenders, [&](const Contender& each) {
-      return is_open(each) && each.candidate.direction == open->candidate.direction;
-    });
-    contender.whole = true;
-    contender.actions = found.front();
-    contender.figures = tools_.rating.measured(contender.candidate, *contender.measured, contender.actions);
-    contender.cost = cost(contender);
+    // Several at a time; of those behind the first only so many more than are listed.
+    const std::size_t room = most + k_most_overtaken - std::min(most + k_most_overtaken, looked_at);
+    std::vector<glm::dvec3> open;
+    for (const Contender& contender : leading) {
+      if (is_open(contender) && (open.size() < room || &contender == leading.data()))
+        open.push_back(contender.candidate.direction);
+    }
+    if (open.empty()) return list;
+    looked_at += open.size();
+    const auto found = tools_.actions.find(open, {}, tools_.clock, PlanDetail::whole);
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      if (!found[k]) return list;
+      Contender& contender = *std::ranges::find_if(contenders, [&](const Contender& each) {
+        return is_open(each) && each.candidate.direction == open[k];
+      });
+      contender.whole = true;
+      contender.actions = found[k];
+      contender.figures = tools_.rating.measured(contender.candidate, *contender.measured, contender.actions);
+      contender.cost = cost(contender);
+    }
   }
 }
 
