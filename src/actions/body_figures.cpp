@@ -283,6 +283,24 @@ class Player {
   double allowed_;
 };
 
+/// From where to where along v a line at a height of u passes a triangle, seen along the third axis; the
+/// first is infinite where it passes by.
+std::pair<double, double> crossed(const std::array<glm::dvec3, 3>& corners, int u, int v, double at) {
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  const auto take = [&](double its) {
+    first = std::min(first, its);
+    last = std::max(last, its);
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec3 &from = corners[k], &to = corners[(k + 1) % 3];
+    if (at < std::min(from[u], to[u]) || at > std::max(from[u], to[u])) continue;
+    const double width = to[u] - from[u];
+    take(width == 0.0 ? to[v] : glm::mix(from[v], to[v], (at - from[u]) / width));
+    if (width == 0.0) take(from[v]);
+  }
+  return {first, last};
+}
+
 /// Where lines of a lattice about the middle of the body's box, along its way and the parting direction, pass
 /// its surface, about `count` of them: the same in whatever order its facets are, and of its mirror image the
 /// mirrored ones. Every third line each way is among the first few.
@@ -301,7 +319,11 @@ void add_points(const glm::dvec3& way, const glm::dvec3& direction, std::size_t 
     const glm::dvec3 area = glm::abs(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     passed += 0.5 * (area.x + area.y + area.z);
   }
-  const double step = std::sqrt(passed / static_cast<double>(count));
+  // A splinter would have too many.
+  constexpr double k_least_step = 1e-3;  // of its length
+  const glm::dvec3 size = box.max - box.min;
+  const double step = std::max(std::sqrt(passed / static_cast<double>(count)),
+                               k_least_step * std::max({size.x, size.y, size.z}));
   if (!(step > 0.0)) return;
   const glm::dvec3 middle = box.center();
   std::vector<glm::dvec3> others;
@@ -313,18 +335,21 @@ void add_points(const glm::dvec3& way, const glm::dvec3& direction, std::size_t 
       const double twice = (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
       if (twice == 0.0) continue;
       for (double i = std::ceil(low[u]); i <= high[u]; ++i) {
-        for (double j = std::ceil(low[v]); j <= high[v]; ++j) {
+        const auto [first, last] = crossed({a, b, c}, u, v, middle[u] + (i + 0.5) * step);
+        const double to = std::min(high[v], (last - middle[v]) / step + 0.5);
+        for (double j = std::ceil(std::max(low[v], (first - middle[v]) / step - 1.5)); j <= to; ++j) {
           const double x = middle[u] + (i + 0.5) * step - a[u], y = middle[v] + (j + 0.5) * step - a[v];
           const double s = (x * (c[v] - a[v]) - y * (c[u] - a[u])) / twice;
           const double t = (y * (b[u] - a[u]) - x * (b[v] - a[v])) / twice;
           if (s < 0.0 || t < 0.0 || s + t > 1.0) continue;
-          const bool first = std::remainder(i - 1.0, 3.0) == 0.0 && std::remainder(j - 1.0, 3.0) == 0.0;
-          (first ? solid.points : others)
+          const bool few = std::remainder(i - 1.0, 3.0) == 0.0 && std::remainder(j - 1.0, 3.0) == 0.0;
+          (few ? solid.points : others)
               .push_back(glm::transpose(to_frame) * (a + s * (b - a) + t * (c - a)));
         }
       }
     }
   }
+  if (solid.points.empty() && others.empty()) others = mesh.vertices;
   solid.few = solid.points.size();
   solid.points.insert(solid.points.end(), others.begin(), others.end());
   // A thin body lies between most of those lines, or all of them.

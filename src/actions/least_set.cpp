@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
 
 #include "actions/meetings.hpp"
@@ -42,7 +43,7 @@ class LeastSet {
       : context_(context), undercut_parts_(undercut_parts), ask_(ask), progress_(progress) {}
 
   ActionPlan run(std::vector<ActionOption> options) {
-    constexpr int k_most_others = 6;  // rounds in which others are looked for
+    constexpr int k_most_others = 12;  // rounds in which others are looked for
     add(std::move(options));
     bool fine = false;
     for (int round = 0;; ++round) {
@@ -156,6 +157,7 @@ class LeastSet {
         loser = both.second;
       }
       if (!gone.insert(loser).second) continue;
+      if (!hit.action) give_up_alike(draft, loser);
       lost.insert(lost.end(), draft.undercut_parts[loser].begin(), draft.undercut_parts[loser].end());
       give_up(draft, loser,
               {.reason = hit.action ? RejectReason::hits_body : RejectReason::hits_part,
@@ -165,6 +167,36 @@ class LeastSet {
                .when = hit.stage});
     }
     return lost;
+  }
+
+  /// What moves the same way and forms as much, or more, hits the part, too. What it forms elsewhere than
+  /// where it hits may do without that.
+  void give_up_alike(const Draft& draft, std::size_t k) {
+    constexpr double k_same_cosine = 1.0 - 1e-9;
+    const std::vector<std::size_t>& formed = draft.undercut_parts[k];
+    const Pull pull = options_[draft.options[k]].pull;
+    for (std::size_t c = 0; c < options_.size(); ++c) {
+      const Pull& its = options_[c].pull;
+      if (its.kind != pull.kind || its.core_side != pull.core_side || its.about ||
+          glm::dot(its.direction, pull.direction) < k_same_cosine ||
+          !std::ranges::includes(options_[c].undercut_parts, formed))
+        continue;
+      options_[c].undercut_parts.clear();
+      priced_[c].undercut_parts.clear();
+    }
+    if (formed.size() < 2 || pull.about) return;
+    const glm::dvec3 place(context_.model.frame.to_unit(draft.plan.actions[k].body->hit->place));
+    const auto from_its_way = [&](std::size_t part) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const UndercutSample& sample : undercut_parts_[part].samples) {
+        const glm::dvec3 to = glm::dvec3(sample.position) - place;
+        nearest = std::min(nearest, glm::length(to - glm::dot(to, pull.direction) * pull.direction));
+      }
+      return nearest;
+    };
+    std::vector<std::size_t> others = formed;
+    others.erase(std::ranges::min_element(others, {}, from_its_way));
+    add({{pull, std::move(others)}});
   }
 
   /// Of the options that are left.
@@ -244,7 +276,8 @@ class LeastSet {
       std::erase_if(left, [&](std::size_t undercut_part) { return of_atom[undercut_part] >= 0; });
       for (const std::size_t undercut_part : left)
         of_atom[undercut_part] = static_cast<std::int32_t>(chosen.size());
-      chosen.emplace_back(c, std::move(left));
+      // A cover that was given up may have one that others make unnecessary.
+      if (!left.empty()) chosen.emplace_back(c, std::move(left));
     }
     find_actions_of(chosen);
     std::vector<SideAction> actions;
@@ -256,7 +289,7 @@ class LeastSet {
     for (const std::size_t k : order) {
       place[k] = static_cast<std::int32_t>(draft.plan.actions.size());
       draft.plan.actions.push_back(std::move(actions[k]));
-      draft.options.push_back(cover.options[k]);
+      draft.options.push_back(chosen[k].first);
       draft.undercut_parts.push_back(chosen[k].second);
     }
     for (std::int32_t& action : of_atom)

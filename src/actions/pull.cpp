@@ -91,7 +91,11 @@ std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
   return !only || only == ActionKind::lifter ? find_lifters(samples, tried) : std::vector<Pull>();
 }
 
-/// Whether a pull that was found reaches it by turning about the parting direction.
+bool PullFinder::is_axis(const glm::dvec3& pull) const {
+  constexpr double k_same_cosine = 1.0 - 1e-9;
+  return std::max(std::abs(glm::dot(pull, axes_.x)), std::abs(glm::dot(pull, axes_.y))) > k_same_cosine;
+}
+
 bool PullFinder::is_known(const std::vector<Pull>& pulls, const glm::dvec3& pull) const {
   return std::ranges::any_of(pulls, [&](const Pull& known) {
     const double lean_deg = elevation_deg(known.direction, direction_) - elevation_deg(pull, direction_);
@@ -160,7 +164,10 @@ std::optional<PullCandidate> PullFinder::meant_within(const Pull& pull,
     if (its_deg < (other.source == PullSource::part ? least_part_deg : least_deg) ||
         (best && other.source > best->source))
       return;
-    if (best && other.source == best->source && its_deg <= margin_deg + k_same_elevation_deg) return;
+    if (best && other.source == best->source) {
+      const bool axis = is_axis(other.direction), best_axis = is_axis(best->direction);
+      if (axis == best_axis ? its_deg <= margin_deg + k_same_elevation_deg : best_axis) return;
+    }
     best = other;
     margin_deg = its_deg;
   };
@@ -238,6 +245,18 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
     }
   }
   return pulls;
+}
+
+std::optional<Pull> PullFinder::shared_lifter(std::span<const UndercutSample> samples, Pull pull) const {
+  constexpr double k_most_longer = 1.2;
+  FreeLengths lengths(release_, samples, pull.direction);
+  const double own = pull.travel;
+  const auto travel =
+      release_.first_clear(lengths, {pull.direction, pull.core_side ? direction_ : -direction_, own});
+  if (!travel || *travel > k_most_longer * own) return std::nullopt;
+  pull.travel = *travel;
+  set_lack(lengths, pull);
+  return pull.lack ? std::nullopt : std::optional(pull);
 }
 
 void PullFinder::set_lack(FreeLengths& lengths, Pull& lifter) const {

@@ -97,9 +97,10 @@ class PullFinder {
                                                     double whole_area) const;
 
   /// A direction that releases the samples, moved to the best meant one of those that are free, itself and
-  /// `others` among them: the axis of a round wall, then where the part's walls face, where much is free also
-  /// what planes of the undercut say; of equal ones that which is farthest from the ends. Where all of them
-  /// lie near an end the middle is taken. A wish is kept as it is. The ends are found to `resolved_deg`.
+  /// `others` among them: the axis of a round wall, then where the part's walls face, its axes first, where
+  /// much is free also what planes of the undercut say; of equal ones that which is farthest from the ends.
+  /// Where all of them lie near an end the middle is taken. A wish is kept as it is. The ends are found to
+  /// `resolved_deg`.
   [[nodiscard]] Pull in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,
                                    ActionKind kind, double resolved_deg,
                                    std::span<const PullCandidate> others = {}) const;
@@ -110,6 +111,15 @@ class PullFinder {
   void set_travel(std::span<const UndercutSample> samples, double step, Pull& pull) const;
   /// The same from few samples and by coarse steps.
   void estimate_travel(std::span<const UndercutSample> samples, Pull& pull) const;
+
+  /// Whether it is an axis of the part across the parting direction, which most of its walls face or stand
+  /// along.
+  [[nodiscard]] bool is_axis(const glm::dvec3& pull) const;
+  /// Whether a pull that was found reaches it by turning about the parting direction.
+  [[nodiscard]] bool is_known(const std::vector<Pull>& pulls, const glm::dvec3& pull) const;
+  /// The lifter that clears these samples, too, some more than its own: with a travel of at most a fifth
+  /// more; none where there is none, or none that can be built.
+  [[nodiscard]] std::optional<Pull> shared_lifter(std::span<const UndercutSample> samples, Pull pull) const;
 
  private:
   [[nodiscard]] std::vector<Pull> find_lifters(std::span<const UndercutSample> samples,
@@ -131,7 +141,6 @@ class PullFinder {
                                                  std::optional<ActionKind> only, double& most) const;
   /// From a point (unit frame) to where it leaves the block round the part.
   [[nodiscard]] double way_out(const glm::dvec3& from, const glm::dvec3& pull) const;
-  [[nodiscard]] bool is_known(const std::vector<Pull>& pulls, const glm::dvec3& pull) const;
 
   const PartAxes& axes_;
   glm::dvec3 direction_;

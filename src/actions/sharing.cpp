@@ -25,6 +25,12 @@ class Sharing {
       Ball& ball = balls_.emplace_back();
       for (const UndercutSample& sample : undercut_part.samples) ball.centre += glm::dvec3(sample.position);
       ball.centre /= static_cast<double>(std::max<std::size_t>(1, undercut_part.samples.size()));
+      double area = 0.0;
+      for (const UndercutSample& sample : undercut_part.samples) {
+        ball.facing += sample.area * sample.normal;
+        area += sample.area;
+      }
+      if (area > 0.0) ball.facing /= area;
       for (const UndercutSample& sample : undercut_part.samples)
         ball.radius = std::max(ball.radius, glm::distance(glm::dvec3(sample.position), ball.centre));
     }
@@ -32,12 +38,13 @@ class Sharing {
 
   void add(std::vector<ActionOption>& options, std::size_t undercut_part, const Pull& pull) const {
     if (is_slide(pull.kind)) add_shared(options, undercut_part, pull);
+    if (pull.kind == ActionKind::lifter && !pull.lack) add_shared_lifter(options, undercut_part, pull);
     if (!pull.for_sharing) options.push_back({pull, {undercut_part}});
   }
 
  private:
   struct Ball {
-    glm::dvec3 centre{0.0};
+    glm::dvec3 centre{0.0}, facing{0.0};  // the mean normal
     double radius = 0.0;
   };
 
@@ -65,8 +72,48 @@ class Sharing {
     options.push_back({pull, std::move(group)});
   }
 
+  /// Hooks side by side.
+  void add_shared_lifter(std::vector<ActionOption>& options, std::size_t first, Pull pull) const {
+    std::vector<std::size_t> group = {first};
+    for (std::size_t next = 0; next < group.size(); ++next) {
+      for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
+        pulls_.release().end_if_cancelled();
+        if (std::ranges::find(group, k) != group.end() || !undercut_parts_[k].allows(pull.kind) ||
+            !are_side_by_side(group[next], k))
+          continue;
+        group.push_back(k);
+        const auto shared = pulls_.shared_lifter(samples_of(undercut_parts_, group), pull);
+        if (shared) {
+          pull = *shared;
+        } else {
+          group.pop_back();
+        }
+      }
+    }
+    if (group.size() < 2) return;
+    std::ranges::sort(group);
+    options.push_back({pull, std::move(group)});
+  }
+
+  /// Facing the same way, with a gap no wider than either of them.
+  [[nodiscard]] bool are_side_by_side(std::size_t a, std::size_t b) const {
+    constexpr double k_least_facing = 0.3, k_same_way = 0.9;
+    const glm::dvec3 &one_way = balls_[a].facing, &other_way = balls_[b].facing;
+    const double lengths = glm::length(one_way) * glm::length(other_way);
+    if (lengths < k_least_facing * k_least_facing || glm::dot(one_way, other_way) < k_same_way * lengths)
+      return false;
+    const double most = 2.0 * std::min(balls_[a].radius, balls_[b].radius);
+    if (glm::distance(balls_[a].centre, balls_[b].centre) - balls_[a].radius - balls_[b].radius > most)
+      return false;
+    return std::ranges::any_of(undercut_parts_[a].samples, [&](const UndercutSample& one) {
+      return std::ranges::any_of(undercut_parts_[b].samples, [&](const UndercutSample& other) {
+        return glm::distance(one.position, other.position) <= static_cast<float>(most);
+      });
+    });
+  }
+
   /// Whether some of their own directions are near enough to each other, or the shapes of both suggest this
-  /// very one.
+  /// very one, or it is an axis of the part and both are free to turn to it.
   [[nodiscard]] bool may_share(std::size_t a, std::size_t b, const glm::dvec3& direction) const {
     const double least = std::cos(glm::radians(k_bundle_deg));
     const auto suggests = [&](const UndercutPart& undercut_part) {
@@ -74,7 +121,11 @@ class Sharing {
         return glm::dot(pull.direction, direction) > k_same_cosine;
       });
     };
-    if (suggests(undercut_parts_[a]) && suggests(undercut_parts_[b])) return true;
+    const auto leaves_along = [&](const UndercutPart& undercut_part) {
+      return suggests(undercut_part) ||
+             (pulls_.is_axis(direction) && pulls_.is_known(undercut_part.pulls, direction));
+    };
+    if (leaves_along(undercut_parts_[a]) && leaves_along(undercut_parts_[b])) return true;
     return std::ranges::any_of(undercut_parts_[a].pulls, [&](const Pull& one) {
       return std::ranges::any_of(undercut_parts_[b].pulls, [&](const Pull& other) {
         return !one.for_sharing && !other.for_sharing && glm::dot(one.direction, other.direction) >= least;

@@ -1,4 +1,4 @@
-// Undercuts that one slide forms together.
+// Undercuts that one slide or lifter forms together.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,9 @@ struct SharingReach {
 
 /// Adds, for a pull of an undercut part, the undercut part alone and, for slides, all that its direction
 /// releases as well and that are near it or near another one of them; if some of their own directions are
-/// within k_bundle_deg, or the shapes of both suggest the same one. None behind another is reached over a gap
-/// of more than twice their lengths.
+/// within k_bundle_deg, the shapes of both suggest the same one, or it is an axis of the part and both are
+/// free to turn to it. None behind another is reached over a gap of more than twice their lengths. A lifter
+/// is for those beside it, too, over gaps no wider than they are, if it clears all with little more travel.
 void add_pull_options(const std::vector<UndercutPart>& undercut_parts, const PullFinder& pulls,
                       const SharingReach& reach, std::size_t undercut_part, const Pull& pull,
                       std::vector<ActionOption>& options);

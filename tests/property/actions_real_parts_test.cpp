@@ -23,11 +23,12 @@ struct RealPlan {
   ActionPlan plan;
 };
 
-RealPlan plan_of(const std::filesystem::path& path, const ActionSettings& settings = {}) {
+RealPlan plan_of(const std::filesystem::path& path, const ActionSettings& settings = {},
+                 const glm::dvec3& direction = {0, 0, 1}) {
   RealPlan real;
   real.model = load_part(path.string(), {}, Progress());
   Query query;
-  query.direction = glm::dvec3(0, 0, 1);
+  query.direction = direction;
   real.result = classify_exact(*real.model, query, Progress(), true);
   real.plan = find_actions(*real.model, real.result, settings, Progress());
   return real;
@@ -152,6 +153,22 @@ TEST(RealParts, LidsHooksHaveNoRoomForALifter) {
         EXPECT_LT(cleared_area({{sense, 0, 0}, {0, 0, 1}, travel * mm}), 0.8 * hook.area) << travel;
     }
   }
+}
+
+/// Across its axis a pulley is a spool: what one end's slide can form of all teeth, holes and windows is one
+/// slide. The trigger's row of holes is one slide though what is beside them would keep it in.
+TEST(RealParts, PulleyAndTriggerHaveASlideASide) {
+  const auto shared = test::shared_folder();
+  if (!shared) GTEST_SKIP() << "no shared parts";
+  const RealPlan pulley = plan_of(*shared / "parts" / "odri_pulley_t30_output.stl", {}, {0, 1, 0});
+  ASSERT_EQ(actions_text(pulley.plan), "2 slides");
+  EXPECT_TRUE(pulley.plan.unreleased.empty());
+  for (const SideAction& action : pulley.plan.actions) EXPECT_NEAR(std::abs(action.direction.z), 1.0, 1e-9);
+
+  const RealPlan trigger = plan_of(*shared / "parts" / "so101_trigger.stl", {}, {0, 1, 0});
+  EXPECT_TRUE(trigger.plan.unreleased.empty());
+  EXPECT_EQ(trigger.plan.actions[0].undercuts.size(), 6U);
+  EXPECT_EQ(trigger.plan.actions[0].kind, ActionKind::slide);
 }
 
 }  // namespace

@@ -102,26 +102,57 @@ inline TriangleMesh block_with_cavity(const Loop2& profile, const glm::dvec2& si
 /// Width of the hook below.
 inline constexpr double k_hook_width = 6.0;
 
-/// A box open above, with a hook that sticks out by `length` from the wall at x = 2, `ahead` from the wall
-/// across, and `beside` from those to its sides.
-inline TriangleMesh box_with_hook(double length, double ahead, double beside) {
-  const glm::dvec3 in_low(2, 2, 2), in_high(2 + length + ahead, 2 + k_hook_width + 2.0 * beside, 20);
+/// A box open above, `across` wide, with hooks that stick out by `length` from the wall at x = 2, `ahead`
+/// from the wall across; `starts` is where each begins along its wall.
+inline TriangleMesh box_with_hooks(double length, double ahead, double across,
+                                   const std::vector<double>& starts) {
+  const glm::dvec3 in_low(2, 2, 2), in_high(2 + length + ahead, 2 + across, 20);
   const glm::dvec3 low(0, 0, 0), high(in_high.x + 2.0, in_high.y + 2.0, 20);
-  const glm::dvec3 hook_low(2, 2 + beside, 14), hook_high(2 + length, 2 + beside + k_hook_width, 16);
   SolidBuilder solid;
   solid.box(low, high, {5});
   solid.face(box_face(low, high, 5), {box_face(in_low, in_high, 5)});
   solid.box(in_low, in_high, {0, 5}, true);
   test::Loop wall = box_face(in_low, in_high, 0);
   std::ranges::reverse(wall);
-  test::Loop root = box_face(hook_low, hook_high, 0);
-  std::ranges::reverse(root);
-  solid.face(wall, {root});
-  solid.box(hook_low, hook_high, {0});
+  std::vector<test::Loop> roots;
+  for (const double start : starts) {
+    const glm::dvec3 hook_low(2, 2 + start, 14), hook_high(2 + length, 2 + start + k_hook_width, 16);
+    roots.push_back(box_face(hook_low, hook_high, 0));
+    std::ranges::reverse(roots.back());
+    solid.box(hook_low, hook_high, {0});
+  }
+  solid.face(wall, roots);
   return solid.mesh();
 }
 
+/// One hook, `beside` from the walls to its sides.
+inline TriangleMesh box_with_hook(double length, double ahead, double beside) {
+  return box_with_hooks(length, ahead, k_hook_width + 2.0 * beside, {beside});
+}
+
 inline TriangleMesh box_with_hook(double length) { return box_with_hook(length, 36.0 - length, 12.0); }
+
+/// A block with a notch in its upright edge between +x and -y, which leaves to either side, and a pocket in
+/// the one side or in the other.
+inline TriangleMesh block_with_corner_notch(bool pocket_at_x) {
+  const glm::dvec3 low(0, 0, 0), high(40, 40, 20);
+  const glm::dvec3 pocket_low = pocket_at_x ? glm::dvec3(32, 20, 8) : glm::dvec3(12, 0, 8);
+  const glm::dvec3 pocket_high = pocket_low + glm::dvec3(8, 8, 4);
+  const int side = pocket_at_x ? 1 : 2;
+  SolidBuilder solid;
+  solid.box(low, high, {1, 2});
+  std::vector<test::Loop> at_x, at_y;
+  (pocket_at_x ? at_x : at_y).push_back(box_face(pocket_low, pocket_high, side));
+  solid.face(
+      {{40, 0, 0}, {40, 40, 0}, {40, 40, 20}, {40, 0, 20}, {40, 0, 12}, {40, 8, 12}, {40, 8, 8}, {40, 0, 8}},
+      at_x);
+  solid.face(
+      {{0, 0, 0}, {40, 0, 0}, {40, 0, 8}, {32, 0, 8}, {32, 0, 12}, {40, 0, 12}, {40, 0, 20}, {0, 0, 20}},
+      at_y);
+  solid.box({32, 0, 8}, {40, 8, 12}, {1, 2}, true);
+  solid.box(pocket_low, pocket_high, {side}, true);
+  return solid.mesh();
+}
 
 /// Thickness of the walls and the floor of the box below.
 inline constexpr double k_vented_wall = 5.0;

@@ -326,6 +326,34 @@ TEST(SideAction, InATSlotIsALifterForEachWing) {
   }
 }
 
+/// Hooks side by side are one lifter's, however many there are; not where the gap is wider than they are.
+TEST(SideAction, OfHooksSideBySideIsOneLifter) {
+  const auto of = [](const std::vector<double>& starts) {
+    return plan_of(box_with_hooks(3.0, 33.0, 70.0, starts));
+  };
+  const Planned near = of({12.0, 20.0, 28.0});
+  ASSERT_EQ(near.plan.undercuts.size(), 3U);
+  ASSERT_EQ(actions_text(near.plan), "1 lifter");
+  const SideAction& lifter = near.plan.actions[0];
+  EXPECT_EQ(lifter.undercuts.size(), 3U);
+  EXPECT_EQ(lifter.feature, "3 hooks");
+  EXPECT_NEAR(lifter.travel, 3.0, 0.01);
+  EXPECT_GT(lifter.direction.x, 1.0 - 1e-6);
+  EXPECT_FALSE(lifter.body->hit.has_value());
+  EXPECT_EQ(actions_text(of({12.0, 34.0}).plan), "2 lifters");
+}
+
+/// A notch that opens to two sides goes with the slide of either.
+TEST(SideAction, IsSharedWithWhatMayTurnToIt) {
+  for (const bool pocket_at_x : {true, false}) {
+    const Planned planned = plan_of(block_with_corner_notch(pocket_at_x));
+    ASSERT_EQ(planned.plan.undercuts.size(), 2U);
+    ASSERT_EQ(actions_text(planned.plan), "1 slide") << pocket_at_x;
+    const glm::dvec3& way = planned.plan.actions[0].direction;
+    EXPECT_NEAR(pocket_at_x ? way.x : -way.y, 1.0, 1e-9);
+  }
+}
+
 TEST(SideAction, IsSharedByPocketsThatAreNearEachOther) {
   for (const auto& [apart, number] : {std::pair(40.0, 1U), std::pair(60.0, 2U)}) {
     const Planned planned = plan_of(block_with_pockets(apart));
