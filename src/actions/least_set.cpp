@@ -26,7 +26,8 @@ constexpr double k_meeting_cost = 100.0;  // of two that meet: more than what ca
 constexpr int k_most_rounds = 40;
 /// Of pairs that are asked whether they meet before they are chosen.
 constexpr std::size_t k_pairs_ahead = 1000;
-constexpr int k_most_unproved = 4;                                       // rounds whose cover was given up
+constexpr int k_most_unproved = 8;              // covers that are given up, of a plan
+constexpr std::size_t k_nodes_at_last = 1'000;  // of those after them
 constexpr std::size_t k_nodes = 200'000, k_nodes_with_clashes = 20'000;  // of a cover, at most
 
 /// A set of options as a plan, and the option of each of its actions.
@@ -203,12 +204,13 @@ class LeastSet {
   Draft cheapest() {
     std::optional<Draft> best;
     double best_cost = std::numeric_limits<double>::infinity();
-    int unproved = 0;
-    for (int round = 0; round < k_most_rounds && unproved < k_most_unproved; ++round) {
+    for (int round = 0; round == 0 || (round < k_most_rounds && unproved_ < k_most_unproved); ++round) {
       progress_.report("choosing the least set", 0.8);
-      const Cover cover = least_cover(undercut_parts_.size(), priced_, clashes_,
-                                      clashes_.empty() ? k_nodes : k_nodes_with_clashes, progress_);
-      unproved += cover.optimal ? 0 : 1;
+      const std::size_t nodes = unproved_ >= k_most_unproved ? k_nodes_at_last
+                                : clashes_.empty()           ? k_nodes
+                                                             : k_nodes_with_clashes;
+      const Cover cover = least_cover(undercut_parts_.size(), priced_, clashes_, nodes, progress_);
+      unproved_ += cover.optimal ? 0 : 1;
       // Clashes that are not known yet would only make it dearer.
       if (best && cover.cost >= best_cost) {
         best->plan.optimal = cover.optimal;
@@ -393,6 +395,7 @@ class LeastSet {
   std::set<std::pair<std::vector<std::size_t>, std::vector<std::size_t>>>
       looked_ahead_;                         // undercut parts of pairs
   std::size_t pairs_ahead_ = k_pairs_ahead;  // that are still worth the time
+  int unproved_ = 0;                         // covers
   std::map<Left, SideAction> known_;
   std::vector<RejectedAction> rejected_;
 };
