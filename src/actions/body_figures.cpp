@@ -343,8 +343,7 @@ void add_points(const glm::dvec3& way, const glm::dvec3& direction, std::size_t 
           const double t = (y * (b[u] - a[u]) - x * (b[v] - a[v])) / twice;
           if (s < 0.0 || t < 0.0 || s + t > 1.0) continue;
           const bool few = std::remainder(i - 1.0, 3.0) == 0.0 && std::remainder(j - 1.0, 3.0) == 0.0;
-          (few ? solid.points : others)
-              .push_back(glm::transpose(to_frame) * (a + s * (b - a) + t * (c - a)));
+          (few ? solid.points : others).push_back(glm::transpose(to_frame) * (a + s * (b - a) + t * (c - a)));
         }
       }
     }

@@ -79,7 +79,7 @@ class Sharing {
       for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
         pulls_.release().end_if_cancelled();
         if (std::ranges::find(group, k) != group.end() || !undercut_parts_[k].allows(pull.kind) ||
-            !are_side_by_side(group[next], k))
+            !are_side_by_side(group[next], k, pull.direction))
           continue;
         group.push_back(k);
         const auto shared = pulls_.shared_lifter(samples_of(undercut_parts_, group), pull);
@@ -95,21 +95,16 @@ class Sharing {
     options.push_back({pull, std::move(group)});
   }
 
-  /// Facing the same way, with a gap no wider than either of them.
-  [[nodiscard]] bool are_side_by_side(std::size_t a, std::size_t b) const {
+  /// In a row across the pull, facing the same way, with a gap no wider than either of them.
+  [[nodiscard]] bool are_side_by_side(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
     constexpr double k_least_facing = 0.3, k_same_way = 0.9;
     const glm::dvec3 &one_way = balls_[a].facing, &other_way = balls_[b].facing;
     const double lengths = glm::length(one_way) * glm::length(other_way);
     if (lengths < k_least_facing * k_least_facing || glm::dot(one_way, other_way) < k_same_way * lengths)
       return false;
-    const double most = 2.0 * std::min(balls_[a].radius, balls_[b].radius);
-    if (glm::distance(balls_[a].centre, balls_[b].centre) - balls_[a].radius - balls_[b].radius > most)
-      return false;
-    return std::ranges::any_of(undercut_parts_[a].samples, [&](const UndercutSample& one) {
-      return std::ranges::any_of(undercut_parts_[b].samples, [&](const UndercutSample& other) {
-        return glm::distance(one.position, other.position) <= static_cast<float>(most);
-      });
-    });
+    const Spacing across = spacing(a, b, glm::normalize(glm::cross(pulls_.direction(), pull)));
+    return across.gap <= across.shorter && spacing(a, b, pull).gap < 0.0 &&
+           spacing(a, b, pulls_.direction()).gap < 0.0;
   }
 
   /// Whether some of their own directions are near enough to each other, or the shapes of both suggest this
@@ -161,7 +156,8 @@ class Sharing {
   }
 
   struct Spacing {
-    double gap = 0.0, longer = 0.0;  // between them along the pull; of the two the one that is longer there
+    double gap = 0.0;                    // between them along the direction
+    double longer = 0.0, shorter = 0.0;  // of the two, there
   };
   [[nodiscard]] Spacing spacing(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
     std::array<double, 2> least{k_never, k_never}, greatest{-k_never, -k_never};
@@ -173,15 +169,15 @@ class Sharing {
         greatest[side] = std::max(greatest[side], at);
       }
     }
-    return {std::max(least[0] - greatest[1], least[1] - greatest[0]),
-            std::max(greatest[0] - least[0], greatest[1] - least[1])};
+    const auto [shorter, longer] = std::minmax({greatest[0] - least[0], greatest[1] - least[1]});
+    return {std::max(least[0] - greatest[1], least[1] - greatest[0]), longer, shorter};
   }
 
   /// What lies behind the other is reached through the steel between: a pin through knuckles, but not one
   /// through the core of a box.
   [[nodiscard]] bool is_far_behind(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
-    const auto [gap, longer] = spacing(a, b, pull);
-    return gap > k_bridged * longer && are_in_line(a, b, pull);
+    const Spacing between = spacing(a, b, pull);
+    return between.gap > k_bridged * between.longer && are_in_line(a, b, pull);
   }
 
   [[nodiscard]] bool are_near(std::size_t a, std::size_t b, const glm::dvec3& pull) const {

@@ -42,7 +42,7 @@ def lid_shape():
         for y in (14, 30):
             shell = shell.fuse(Part.makeCylinder(BOSS, 11, VECTOR(x, y, 1)))
             shell = shell.cut(Part.makeCylinder(HOLE, 9, VECTOR(x, y, 3)))
-    for x in (22, 32):
+    for x in (20, 34):
         shell = shell.fuse(Part.makeBox(HOOK_WIDTH, 1.5, HOOK_HEIGHT + 3, VECTOR(x, WALL, 1)))
         shell = shell.fuse(Part.makeBox(HOOK_WIDTH, CATCH, 2, VECTOR(x, WALL + 1.5, WALL + HOOK_HEIGHT)))
     return shell.removeSplitter()

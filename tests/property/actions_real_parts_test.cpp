@@ -171,5 +171,15 @@ TEST(RealParts, PulleyAndTriggerHaveASlideASide) {
   EXPECT_EQ(trigger.plan.actions[0].kind, ActionKind::slide);
 }
 
+/// A body of the gears' side actions is a splinter of next to no surface. Lines as close as that asks for
+/// took without end.
+TEST(RealParts, SplinterOfABodyIsTestedInTime) {
+  const auto shared = test::shared_folder();
+  if (!shared) GTEST_SKIP() << "no shared parts";
+  const RealPlan gears = plan_of(*shared / "parts" / "3mf_cube_gears_17parts.3mf", {}, {1, 1, 1});
+  EXPECT_GT(gears.plan.actions.size(), 10U);
+  for (const SideAction& action : gears.plan.actions) EXPECT_TRUE(action.body.has_value() || action.about);
+}
+
 }  // namespace
 }  // namespace moldlight
