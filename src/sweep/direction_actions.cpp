@@ -18,8 +18,6 @@ constexpr std::size_t k_most_facets_together = 2'000'000;
 constexpr double k_weight_steps = 1e6;  // in 1, so that sums of decimals are decimals again
 constexpr double k_trifle = 1e-3;       // of the surface
 constexpr double k_rough_margin = 1.0;  // a slide: by so much few samples may mistake a weight
-/// A direction of more undercuts is ranked by few samples: nobody builds a mold with so many side actions.
-constexpr std::size_t k_most_undercuts = 40;
 
 }  // namespace
 
@@ -70,10 +68,10 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
     const auto found = [&](PlanDetail asked) {
       return direction_actions(find_actions(model_, split, settings_, Progress(&progress), asked), split);
     };
-    Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
-                                         Progress(&progress), settings_.least_travel_mm);
-    const UndercutTotals totals = totals_of(undercuts);
     if (std::isfinite(limit.most) || limit.beside) {
+      Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
+                                           Progress(&progress), settings_.least_travel_mm);
+      const UndercutTotals totals = totals_of(undercuts);
       // Inserts for what is smaller may count for less than a slide.
       const double least = k_trifle * model_.geometry.total_area / facts(ActionKind::insert).weight;
       std::erase_if(undercuts.counted, [&](const Undercut& undercut) { return undercut.area < least; });
@@ -83,7 +81,7 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
         return DirectionActions{
             .undercuts = totals, .weight = weight, .formed_area = totals.area, .given_up = true};
     }
-    return found(detail == PlanDetail::rank && totals.count > k_most_undercuts ? PlanDetail::rough : detail);
+    return found(detail);
   } catch (const Cancelled&) {
     return std::nullopt;
   }

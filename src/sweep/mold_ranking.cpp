@@ -268,7 +268,7 @@ MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, st
     looked_at += open.size();
     const auto found = tools_.actions.find(open, {}, tools_.clock, PlanDetail::whole);
     for (std::size_t k = 0; k < open.size(); ++k) {
-      if (!found[k]) return list;
+      if (!found[k]) continue;
       Contender& contender = *std::ranges::find_if(contenders, [&](const Contender& each) {
         return is_open(each) && each.candidate.direction == open[k];
       });
@@ -277,6 +277,8 @@ MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, st
       contender.figures = tools_.rating.measured(contender.candidate, *contender.measured, contender.actions);
       contender.cost = cost(contender);
     }
+    const auto is_found = [](const auto& actions) { return actions.has_value(); };
+    if (!std::ranges::all_of(found, is_found)) return listed(std::move(contenders));
   }
 }
 
