@@ -77,10 +77,14 @@ class LeastSet {
   }
 
  private:
-  /// The option of an action releases nothing any more.
+  /// An option releases nothing any more.
+  void drop(std::size_t option) {
+    options_[option].undercut_parts.clear();
+    priced_[option].undercut_parts.clear();
+  }
+
   void give_up(const Draft& draft, std::size_t k, const RejectedAction& why) {
-    options_[draft.options[k]].undercut_parts.clear();
-    priced_[draft.options[k]].undercut_parts.clear();
+    drop(draft.options[k]);
     const SideAction& action = draft.plan.actions[k];
     for (const std::size_t undercut : action.undercuts) {
       RejectedAction& rejected = rejected_.emplace_back(why);
@@ -173,17 +177,14 @@ class LeastSet {
   /// What moves the same way and forms as much, or more, hits the part, too. What it forms elsewhere than
   /// where it hits may do without that.
   void give_up_alike(const Draft& draft, std::size_t k) {
-    constexpr double k_same_cosine = 1.0 - 1e-9;
     const std::vector<std::size_t>& formed = draft.undercut_parts[k];
     const Pull pull = options_[draft.options[k]].pull;
     for (std::size_t c = 0; c < options_.size(); ++c) {
       const Pull& its = options_[c].pull;
-      if (its.kind != pull.kind || its.core_side != pull.core_side || its.about ||
-          glm::dot(its.direction, pull.direction) < k_same_cosine ||
-          !std::ranges::includes(options_[c].undercut_parts, formed))
-        continue;
-      options_[c].undercut_parts.clear();
-      priced_[c].undercut_parts.clear();
+      if (its.kind == pull.kind && its.core_side == pull.core_side && !its.about &&
+          glm::dot(its.direction, pull.direction) > k_same_pull &&
+          std::ranges::includes(options_[c].undercut_parts, formed))
+        drop(c);
     }
     if (formed.size() < 2 || pull.about) return;
     const glm::dvec3 place(context_.model.frame.to_unit(draft.plan.actions[k].body->hit->place));

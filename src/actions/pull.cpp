@@ -92,8 +92,7 @@ std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
 }
 
 bool PullFinder::is_axis(const glm::dvec3& pull) const {
-  constexpr double k_same_cosine = 1.0 - 1e-9;
-  return std::max(std::abs(glm::dot(pull, axes_.x)), std::abs(glm::dot(pull, axes_.y))) > k_same_cosine;
+  return std::max(std::abs(glm::dot(pull, axes_.x)), std::abs(glm::dot(pull, axes_.y))) > k_same_pull;
 }
 
 bool PullFinder::is_known(const std::vector<Pull>& pulls, const glm::dvec3& pull) const {

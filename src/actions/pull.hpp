@@ -15,6 +15,9 @@ namespace moldlight {
 /// Sine of the draft below which a wall opens towards neither of two opposite slides.
 inline constexpr double k_upright = 1e-3;
 
+/// Cosine of the angle within which two pulls are one.
+inline constexpr double k_same_pull = 1.0 - 1e-9;
+
 /// A direction that releases an undercut, or what one of its samples stands for.
 struct Pull {
   ActionKind kind = ActionKind::slide;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <span>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -14,7 +15,6 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_same_cosine = 1.0 - 1e-9;
 constexpr double k_bridged = 2.0;  // of the longer undercut along the pull: a gap that a slide passes
 
 class Sharing {
@@ -25,20 +25,16 @@ class Sharing {
       Ball& ball = balls_.emplace_back();
       for (const UndercutSample& sample : undercut_part.samples) ball.centre += glm::dvec3(sample.position);
       ball.centre /= static_cast<double>(std::max<std::size_t>(1, undercut_part.samples.size()));
-      double area = 0.0;
-      for (const UndercutSample& sample : undercut_part.samples) {
-        ball.facing += sample.area * sample.normal;
-        area += sample.area;
-      }
-      if (area > 0.0) ball.facing /= area;
+      for (const UndercutSample& sample : undercut_part.samples) ball.facing += sample.area * sample.normal;
+      if (const double area = undercut_part.area(); area > 0.0) ball.facing /= area;
       for (const UndercutSample& sample : undercut_part.samples)
         ball.radius = std::max(ball.radius, glm::distance(glm::dvec3(sample.position), ball.centre));
     }
   }
 
   void add(std::vector<ActionOption>& options, std::size_t undercut_part, const Pull& pull) const {
-    if (is_slide(pull.kind)) add_shared(options, undercut_part, pull);
-    if (pull.kind == ActionKind::lifter && !pull.lack) add_shared_lifter(options, undercut_part, pull);
+    if (is_slide(pull.kind) || (pull.kind == ActionKind::lifter && !pull.lack))
+      add_group(options, undercut_part, pull);
     if (!pull.for_sharing) options.push_back({pull, {undercut_part}});
   }
 
@@ -48,23 +44,16 @@ class Sharing {
     double radius = 0.0;
   };
 
-  void add_shared(std::vector<ActionOption>& options, std::size_t first, Pull pull) const {
+  /// All that join one that is there.
+  void add_group(std::vector<ActionOption>& options, std::size_t first, Pull pull) const {
     std::vector<std::size_t> group = {first};
     for (std::size_t next = 0; next < group.size(); ++next) {
       for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
         pulls_.release().end_if_cancelled();
-        if (std::ranges::find(group, k) != group.end() || !undercut_parts_[k].allows(pull.kind) ||
-            are_far(group[next], k, pull.direction) || !may_share(first, k, pull.direction) ||
-            !are_near(group[next], k, pull.direction) ||
-            std::ranges::any_of(group,
-                                [&](std::size_t one) { return is_far_behind(one, k, pull.direction); }) ||
-            !pulls_.release().releases(undercut_parts_[k].samples, pull.direction, k_never))
-          continue;
-        group.push_back(k);
-        Pull its = pull;
-        pulls_.estimate_travel(undercut_parts_[k].samples, its);
-        pull.travel = std::max(pull.travel, its.travel);
-        pull.way = std::max(pull.way, its.way);
+        if (std::ranges::find(group, k) == group.end() && undercut_parts_[k].allows(pull.kind) &&
+            (is_slide(pull.kind) ? join_slide(group, group[next], k, pull)
+                                 : join_lifter(group, group[next], k, pull)))
+          group.push_back(k);
       }
     }
     if (group.size() < 2) return;
@@ -72,27 +61,28 @@ class Sharing {
     options.push_back({pull, std::move(group)});
   }
 
-  /// Hooks side by side.
-  void add_shared_lifter(std::vector<ActionOption>& options, std::size_t first, Pull pull) const {
-    std::vector<std::size_t> group = {first};
-    for (std::size_t next = 0; next < group.size(); ++next) {
-      for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
-        pulls_.release().end_if_cancelled();
-        if (std::ranges::find(group, k) != group.end() || !undercut_parts_[k].allows(pull.kind) ||
-            !are_side_by_side(group[next], k, pull.direction))
-          continue;
-        group.push_back(k);
-        const auto shared = pulls_.shared_lifter(samples_of(undercut_parts_, group), pull);
-        if (shared) {
-          pull = *shared;
-        } else {
-          group.pop_back();
-        }
-      }
-    }
-    if (group.size() < 2) return;
-    std::ranges::sort(group);
-    options.push_back({pull, std::move(group)});
+  /// Whether it goes with a group, beside one of it that is `near`; the pull then moves all of them.
+  [[nodiscard]] bool join_slide(std::span<const std::size_t> group, std::size_t near, std::size_t k,
+                                Pull& pull) const {
+    if (are_far(near, k, pull.direction) || !may_share(group.front(), k, pull.direction) ||
+        !are_near(near, k, pull.direction) ||
+        std::ranges::any_of(group, [&](std::size_t one) { return is_far_behind(one, k, pull.direction); }) ||
+        !pulls_.release().releases(undercut_parts_[k].samples, pull.direction, k_never))
+      return false;
+    Pull its = pull;
+    pulls_.estimate_travel(undercut_parts_[k].samples, its);
+    pull.travel = std::max(pull.travel, its.travel);
+    pull.way = std::max(pull.way, its.way);
+    return true;
+  }
+
+  [[nodiscard]] bool join_lifter(std::vector<std::size_t> group, std::size_t near, std::size_t k,
+                                 Pull& pull) const {
+    if (!are_side_by_side(near, k, pull.direction)) return false;
+    group.push_back(k);
+    const auto shared = pulls_.shared_lifter(samples_of(undercut_parts_, group), pull);
+    pull = shared.value_or(pull);
+    return shared.has_value();
   }
 
   /// In a row across the pull, facing the same way, with a gap no wider than either of them.
@@ -113,7 +103,7 @@ class Sharing {
     const double least = std::cos(glm::radians(k_bundle_deg));
     const auto suggests = [&](const UndercutPart& undercut_part) {
       return std::ranges::any_of(undercut_part.pulls, [&](const Pull& pull) {
-        return glm::dot(pull.direction, direction) > k_same_cosine;
+        return glm::dot(pull.direction, direction) > k_same_pull;
       });
     };
     const auto leaves_along = [&](const UndercutPart& undercut_part) {
@@ -131,18 +121,7 @@ class Sharing {
   /// Whether the one hides the other, seen along the pull.
   [[nodiscard]] bool are_in_line(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
     const glm::dvec3 level = glm::normalize(glm::cross(pulls_.direction(), pull));
-    const auto overlap = [&](const glm::dvec3& along) {
-      std::array<double, 2> least{k_never, k_never}, greatest{-k_never, -k_never};
-      for (const std::size_t side : {0, 1}) {
-        for (const UndercutSample& sample : undercut_parts_[side == 0 ? a : b].samples) {
-          const double at = glm::dot(glm::dvec3(sample.position), along);
-          least[side] = std::min(least[side], at);
-          greatest[side] = std::max(greatest[side], at);
-        }
-      }
-      return least[0] < greatest[1] && least[1] < greatest[0];
-    };
-    return overlap(level) && overlap(glm::cross(pull, level));
+    return spacing(a, b, level).gap < 0.0 && spacing(a, b, glm::cross(pull, level)).gap < 0.0;
   }
 
   /// By the balls around them: certainly not near.
