@@ -100,6 +100,18 @@ TEST_F(ProgramTest, EmbeddedFilesCompile) {
   EXPECT_FALSE(program.has("u_absent"));
 }
 
+TEST_F(ProgramTest, NoneThatIsInUseIsDeleted) {
+  GLint used = 0;
+  {
+    Programs programs(gl());
+    programs.use("common/at_infinity.vert", {});
+    gl().GetIntegerv(GL_CURRENT_PROGRAM, &used);
+    EXPECT_NE(used, 0);
+  }
+  gl().GetIntegerv(GL_CURRENT_PROGRAM, &used);
+  EXPECT_EQ(used, 0);
+}
+
 TEST_F(ProgramTest, TexturesBeyondTheDriverAreRefused) {
   EXPECT_THROW((void)make_texture_2d(gl(), GL_RGBA8, 1 << 20, 16), Error);
   EXPECT_THROW((void)make_texture_2d(gl(), GL_RGBA8, 16, 0), Error);
