@@ -132,17 +132,10 @@ inline TriangleMesh box_with_hook(double length, double ahead, double beside) {
 
 inline TriangleMesh box_with_hook(double length) { return box_with_hook(length, 36.0 - length, 12.0); }
 
-/// A block with a notch in its upright edge between +x and -y, which leaves to either side, and a pocket in
-/// the one side or in the other.
-inline TriangleMesh block_with_corner_notch(bool pocket_at_x) {
-  const glm::dvec3 low(0, 0, 0), high(40, 40, 20);
-  const glm::dvec3 pocket_low = pocket_at_x ? glm::dvec3(32, 20, 8) : glm::dvec3(12, 0, 8);
-  const glm::dvec3 pocket_high = pocket_low + glm::dvec3(8, 8, 4);
-  const int side = pocket_at_x ? 1 : 2;
-  SolidBuilder solid;
-  solid.box(low, high, {1, 2});
-  std::vector<test::Loop> at_x, at_y;
-  (pocket_at_x ? at_x : at_y).push_back(box_face(pocket_low, pocket_high, side));
+/// The sides at x = 40 and y = 0 of a block 20 high, with holes, and a notch in the edge between, which
+/// leaves to either side.
+inline void add_notched_sides(SolidBuilder& solid, const std::vector<test::Loop>& at_x,
+                              const std::vector<test::Loop>& at_y) {
   solid.face(
       {{40, 0, 0}, {40, 40, 0}, {40, 40, 20}, {40, 0, 20}, {40, 0, 12}, {40, 8, 12}, {40, 8, 8}, {40, 0, 8}},
       at_x);
@@ -150,7 +143,31 @@ inline TriangleMesh block_with_corner_notch(bool pocket_at_x) {
       {{0, 0, 0}, {40, 0, 0}, {40, 0, 8}, {32, 0, 8}, {32, 0, 12}, {40, 0, 12}, {40, 0, 20}, {0, 0, 20}},
       at_y);
   solid.box({32, 0, 8}, {40, 8, 12}, {1, 2}, true);
+}
+
+/// A block with that notch, and a pocket in the one side or in the other.
+inline TriangleMesh block_with_corner_notch(bool pocket_at_x) {
+  const glm::dvec3 pocket_low = pocket_at_x ? glm::dvec3(32, 20, 8) : glm::dvec3(12, 0, 8);
+  const glm::dvec3 pocket_high = pocket_low + glm::dvec3(8, 8, 4);
+  const int side = pocket_at_x ? 1 : 2;
+  SolidBuilder solid;
+  solid.box({0, 0, 0}, {40, 40, 20}, {1, 2});
+  std::vector<test::Loop> at_x, at_y;
+  (pocket_at_x ? at_x : at_y).push_back(box_face(pocket_low, pocket_high, side));
+  add_notched_sides(solid, at_x, at_y);
   solid.box(pocket_low, pocket_high, {side}, true);
+  return solid.mesh();
+}
+
+/// A block with that notch; the edge across from it is cut off, by a wall along which the notch leaves, too.
+inline TriangleMesh chamfered_block_with_notch() {
+  SolidBuilder solid;
+  solid.face({{0, 0, 0}, {0, 20, 0}, {20, 40, 0}, {40, 40, 0}, {40, 0, 0}});
+  solid.face({{0, 0, 20}, {40, 0, 20}, {40, 40, 20}, {20, 40, 20}, {0, 20, 20}});
+  solid.face({{0, 0, 0}, {0, 0, 20}, {0, 20, 20}, {0, 20, 0}});
+  solid.face({{20, 40, 0}, {20, 40, 20}, {40, 40, 20}, {40, 40, 0}});
+  solid.face({{0, 20, 0}, {0, 20, 20}, {20, 40, 20}, {20, 40, 0}});
+  add_notched_sides(solid, {}, {});
   return solid.mesh();
 }
 

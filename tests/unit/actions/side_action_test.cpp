@@ -354,6 +354,15 @@ TEST(SideAction, IsSharedWithWhatMayTurnToIt) {
   }
 }
 
+/// In the middle of what is free a wall of the part faces; most of its walls face the axes at the ends.
+TEST(SideAction, GoesAlongAnAxisRatherThanWhereFewWallsFace) {
+  const Planned planned = plan_of(chamfered_block_with_notch());
+  ASSERT_EQ(actions_text(planned.plan), "1 slide");
+  const SideAction& slide = planned.plan.actions[0];
+  EXPECT_NEAR(std::max(slide.direction.x, -slide.direction.y), 1.0, 1e-9);
+  EXPECT_NEAR(slide.interval.to_deg - slide.interval.from_deg, 90.0 + 2.0 * k_tau_deg, 0.1);
+}
+
 TEST(SideAction, IsSharedByPocketsThatAreNearEachOther) {
   for (const auto& [apart, number] : {std::pair(40.0, 1U), std::pair(60.0, 2U)}) {
     const Planned planned = plan_of(block_with_pockets(apart));
