@@ -1,8 +1,10 @@
 // The kinds of side action.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string_view>
 
 namespace moldlight {
@@ -12,6 +14,15 @@ namespace moldlight {
 /// it. Insert: a loose piece that is ejected with the part and taken off by hand, in any direction.
 enum class ActionKind : std::uint8_t { slide, inclined, lifter, unscrew, strip, insert };
 inline constexpr std::size_t k_action_kinds = 6;
+
+/// More actions than a toolmaker builds for one direction: the part is changed, or turned.
+inline constexpr std::size_t k_most_actions = 8;
+
+/// Of all kinds.
+using ActionCounts = std::array<std::size_t, k_action_kinds>;
+[[nodiscard]] constexpr std::size_t number_of(const ActionCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
 
 /// Pulled straight away from the part, before the halves open.
 [[nodiscard]] constexpr bool is_slide(ActionKind kind) {

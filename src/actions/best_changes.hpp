@@ -8,9 +8,6 @@
 
 namespace moldlight {
 
-/// More actions than a toolmaker builds for one direction: the part is changed, or turned.
-inline constexpr std::size_t k_most_actions = 8;
-
 /// Undercuts that are freed together, and the actions that this saves: numbers in the plan, rising.
 struct SavingChange {
   std::vector<std::size_t> undercuts, actions;

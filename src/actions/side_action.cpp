@@ -90,7 +90,7 @@ UndercutTotals undercut_totals(const ActionPlan& plan) {
   return totals;
 }
 
-std::string actions_text(const std::array<std::size_t, k_action_kinds>& counts) {
+std::string actions_text(const ActionCounts& counts) {
   std::string text;
   for (std::size_t kind = 0; kind < k_action_kinds; ++kind) {
     if (counts[kind] == 0) continue;

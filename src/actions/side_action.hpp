@@ -1,7 +1,6 @@
 // The side actions that release a part's undercuts.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -135,7 +134,7 @@ enum class PlanDetail : std::uint8_t { whole, rank, rough };
 
 /// What a plan comes to, without the list of its actions. Areas are in the part's unit squared.
 struct ActionTotals {
-  std::array<std::size_t, k_action_kinds> counts{};  // by kind
+  ActionCounts counts{};
   double unreleased_area = 0.0;
   std::size_t stuck = 0;    // undercuts of which more is left than is_stuck() allows
   double stuck_area = 0.0;  // what is left of these
@@ -152,7 +151,7 @@ struct ActionTotals {
 [[nodiscard]] double speck_area(const ActionPlan& plan);
 
 /// "2 slides, 1 lifter"; "none" where nothing is needed.
-[[nodiscard]] std::string actions_text(const std::array<std::size_t, k_action_kinds>& counts);
+[[nodiscard]] std::string actions_text(const ActionCounts& counts);
 [[nodiscard]] std::string actions_text(const ActionPlan& plan);
 
 /// The action that releases an undercut, or the largest part of it; null for none.

@@ -15,7 +15,7 @@ namespace moldlight {
 namespace {
 
 /// "2 slides and 1 lifter".
-std::string listed(const std::array<std::size_t, k_action_kinds>& counts) {
+std::string listed(const ActionCounts& counts) {
   std::string text = actions_text(counts);
   if (const std::size_t comma = text.rfind(", "); comma != std::string::npos) text.replace(comma, 2, " and ");
   return text;
@@ -147,8 +147,7 @@ class Judge {
       return;
     }
     const ActionTotals& actions = *facts_.actions;
-    std::size_t number = 0;
-    for (const std::size_t count : actions.counts) number += count;
+    const std::size_t number = number_of(actions.counts);
     if (actions.stuck > 0) {
       set(VerdictState::not_releasable,
           fmt::format("Not releasable: no action that was tried releases {} in {}{}.",

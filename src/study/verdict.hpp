@@ -1,7 +1,6 @@
 // The verdict on a part and a direction: what everything that shows a result says of it first.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +23,7 @@ struct Verdict {
   double unreleased_area = 0.0;
   std::size_t specks = 0;  // too small or too shallow to count
   double speck_area = 0.0;
-  std::array<std::size_t, k_action_kinds> actions{};  // by kind
+  ActionCounts actions{};
   std::vector<std::string> reasons;                   // what else there is to say, a sentence each
 
   /// Nothing to be done about the part: the one state that is shown with a tick.

@@ -1,11 +1,13 @@
 #include "sweep/direction_actions.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 
+#include <fmt/format.h>
 #include <tbb/parallel_pipeline.h>
 
-#include "actions/least_weight.hpp"
 #include "base/error.hpp"
 #include "classify/classification.hpp"
 
@@ -18,6 +20,7 @@ constexpr std::size_t k_most_facets_together = 2'000'000;
 constexpr double k_weight_steps = 1e6;  // in 1, so that sums of decimals are decimals again
 constexpr double k_trifle = 1e-3;       // of the surface
 constexpr double k_rough_margin = 1.0;  // a slide: by so much few samples may mistake a weight
+constexpr std::size_t k_roughly_too_many = k_most_actions + k_most_actions / 2;
 
 }  // namespace
 
@@ -46,16 +49,18 @@ DirectionActions direction_actions(const ActionPlan& plan, const Classification&
   return found;
 }
 
-bool ActionLimit::is_exceeded(double least_weight, const UndercutTotals& undercuts) const {
-  return (left <= left_band && least_weight + per_area * undercuts.area > most) ||
-         (beside && undercuts.area >= beside->area &&
-          (undercuts.count >= beside->count || undercuts.area > beside->area + worth));
+bool ActionLimit::is_exceeded(const LeastActions& least, const UndercutTotals& undercuts) const {
+  return (left <= left_band && least.weight + per_area * undercuts.area > most) ||
+         (least.number > k_most_actions && undercuts.area > most_hopeless) ||
+         (undercuts.count > 0 && undercuts.area > most_undercut) ||
+         (beside && undercuts.area >= beside->area && undercuts.count >= beside->count);
 }
 
 bool ActionLimit::is_far_exceeded(const DirectionActions& rough) const {
   // Few samples overrate what is left.
   const double more_left = rough.totals.unreleased_area - left;
   return more_left > 2.0 * left_band ||
+         (number_of(rough.totals.counts) > k_roughly_too_many && rough.undercuts.area > most_hopeless) ||
          ((left <= left_band || more_left > 0.0) &&
           rough.weight - rough.in_vain + per_area * rough.formed_area > most + k_rough_margin);
 }
@@ -68,18 +73,18 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
     const auto found = [&](PlanDetail asked) {
       return direction_actions(find_actions(model_, split, settings_, Progress(&progress), asked), split);
     };
-    if (std::isfinite(limit.most) || limit.beside) {
+    if (std::isfinite(limit.most) || std::isfinite(limit.most_undercut)) {
       Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
                                            Progress(&progress), settings_.least_travel_mm);
       const UndercutTotals totals = totals_of(undercuts);
       // Inserts for what is smaller may count for less than a slide.
-      const double least = k_trifle * model_.geometry.total_area / facts(ActionKind::insert).weight;
-      std::erase_if(undercuts.counted, [&](const Undercut& undercut) { return undercut.area < least; });
-      const double weight = least_weight(model_, *split.split, undercuts, direction, settings_);
-      if (limit.is_exceeded(weight, totals) ||
+      const double trifle = k_trifle * model_.geometry.total_area / facts(ActionKind::insert).weight;
+      std::erase_if(undercuts.counted, [&](const Undercut& undercut) { return undercut.area < trifle; });
+      const LeastActions least = least_actions(model_, *split.split, undercuts, direction, settings_);
+      if (limit.is_exceeded(least, totals) ||
           (limit.roughly && limit.is_far_exceeded(found(PlanDetail::rough))))
         return DirectionActions{
-            .undercuts = totals, .weight = weight, .formed_area = totals.area, .given_up = true};
+            .undercuts = totals, .weight = least.weight, .formed_area = totals.area, .given_up = true};
     }
     return found(detail);
   } catch (const Cancelled&) {

@@ -1,7 +1,6 @@
 // The side actions of a sweep's directions, several directions at a time.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <tbb/task_arena.h>
 
+#include "actions/least_actions.hpp"
 #include "actions/side_action.hpp"
 #include "base/progress.hpp"
 #include "classify/part_model.hpp"
@@ -30,6 +30,8 @@ struct DirectionActions {
   double formed_area = 0.0;  // of undercuts that the actions release
   bool given_up = false;     // only the weight is known, which is no less than this
 
+  /// More than a toolmaker builds: the part has to change.
+  [[nodiscard]] bool too_many() const { return number_of(totals.counts) > k_most_actions; }
   /// "2 slides, 1 lifter"; "none".
   [[nodiscard]] std::string text() const { return actions_text(totals.counts); }
 };
@@ -45,13 +47,13 @@ struct ActionLimit {
   /// Areas: what the best so far leaves unreleased, and a difference that counts. What leaves less than that
   /// is not given up by its weight.
   double left = 0.0, left_band = 0.0;
-  /// Of a direction beside it whose side actions are known: as many undercuts, as large, need no fewer, nor
-  /// do those that are larger by more than `worth`, an area.
+  /// Of a direction beside it whose side actions release all: as many undercuts, as large, need no fewer.
   std::optional<UndercutTotals> beside = {};
-  double worth = std::numeric_limits<double>::infinity();
+  double most_undercut = std::numeric_limits<double>::infinity();  // area beside such directions, if any
+  double most_hopeless = std::numeric_limits<double>::infinity();  // undercut area of what needs too many
   bool roughly = false;  // what few samples show to be too much is given up, too
 
-  [[nodiscard]] bool is_exceeded(double least_weight, const UndercutTotals& undercuts) const;
+  [[nodiscard]] bool is_exceeded(const LeastActions& least, const UndercutTotals& undercuts) const;
   [[nodiscard]] bool is_far_exceeded(const DirectionActions& rough) const;
 };
 

@@ -23,6 +23,11 @@ double angle_deg(const Contender& a, const Contender& b) {
   return line_angle_deg(a.candidate.direction, b.candidate.direction);
 }
 
+/// Its side actions are known but for what their bodies allow.
+bool is_open(const Contender& contender) {
+  return contender.cost && !contender.whole && contender.actions->weight > 0.0;
+}
+
 }  // namespace
 
 MoldCost mold_cost(const PartModel& model, const Classification& regions, const DirectionActions& actions,
@@ -33,7 +38,8 @@ MoldCost mold_cost(const PartModel& model, const Classification& regions, const 
   cost.counts = actions.totals.counts;
   cost.weight = actions.weight;
   cost.in_vain = actions.in_vain;
-  cost.of(MoldCriterion::unreleased) = actions.totals.unreleased_area / area;
+  cost.left = actions.totals.unreleased_area / area;
+  cost.of(MoldCriterion::unreleased) = actions.too_many() ? actions.undercuts.area / area : cost.left;
   cost.formed = actions.formed_area / area;
   cost.of(MoldCriterion::line) = (line.outer_climb + line.steep_length) / diagonal;
   cost.of(MoldCriterion::draft) = (regions.near_vertical_area + regions.reverse_draft.area) / area;
@@ -72,14 +78,21 @@ ActionLimit MoldRanking::limit(const Contender& contender) const {
                     .per_area = k_effort_of_formed / area,
                     .left = left * area,
                     .left_band = band * area,
-                    .worth = 0.01 * tools_.settings.worth_pct * area,
+                    // What is found by search has to be better.
+                    .most_hopeless = area * (contender.canonical() ? left + band : left - band),
                     .roughly = best_alone_ && std::isfinite(least_effort_)};
   if (contender.candidate.from_user()) return limit;
-  // What is found beside it is listed for fewer side actions alone.
+  // What is found beside it is listed for fewer side actions alone, and where walls stay upright not for
+  // these.
   const double beside_deg = contender.canonical() ? k_same_place_deg : k_beside_deg;
-  for (const Released& each : released_) {
-    if (line_angle_deg(each.direction, contender.candidate.direction) > beside_deg) continue;
-    if (!limit.beside || each.undercuts.area < limit.beside->area) limit.beside = each.undercuts;
+  const double worth = 0.01 * tools_.settings.worth_pct * area;
+  for (const Known& each : known_) {
+    const double angle = line_angle_deg(each.direction, contender.candidate.direction);
+    if (angle > beside_deg || (contender.canonical() && !each.released)) continue;
+    const bool upright = !contender.canonical() && angle <= tools_.settings.method.tau_deg;
+    limit.most_undercut = std::min(limit.most_undercut, each.undercuts.area + (upright ? -worth : worth));
+    if (each.released && (!limit.beside || each.undercuts.area < limit.beside->area))
+      limit.beside = each.undercuts;
   }
   return limit;
 }
@@ -139,9 +152,10 @@ void MoldRanking::take_down(const Contender& contender) {
     least_left_ = std::min(least_left_, left);
     least_effort_ = std::min(least_effort_, effort);
   }
-  if (left > band || !contender.canonical()) return;
-  released_.push_back({contender.candidate.direction, contender.actions->undercuts});
-  free_ = free_ || contender.cost->weight <= 0.0;
+  if (!contender.canonical()) return;
+  const bool released = contender.cost->left <= band;
+  known_.push_back({contender.candidate.direction, contender.actions->undercuts, released});
+  free_ = free_ || (released && contender.cost->weight <= 0.0);
 }
 
 bool MoldRanking::found_leads(std::span<const Contender> named, std::span<const Contender> found) const {
@@ -250,10 +264,11 @@ MoldRanking::Listed MoldRanking::listed(std::vector<Contender> contenders) const
   return list;
 }
 
+bool MoldRanking::Listed::is_confirmed(std::size_t place) const {
+  return place < contenders.size() && contenders[place].cost && !is_open(contenders[place]);
+}
+
 MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, std::size_t most) {
-  const auto is_open = [](const Contender& contender) {
-    return contender.cost && !contender.whole && contender.actions->weight > 0.0;
-  };
   for (std::size_t looked_at = 0;;) {
     Listed list = listed(contenders);
     const auto leading = std::span(list.contenders).first(std::min(most, list.contenders.size()));

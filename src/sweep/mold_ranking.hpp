@@ -42,6 +42,8 @@ class MoldRanking {
     std::vector<std::vector<std::string>> reasons;
 
     void cut_to(std::size_t most);
+    /// Whether there is one at this place whose side actions are known as well as they can be.
+    [[nodiscard]] bool is_confirmed(std::size_t place) const;
   };
   [[nodiscard]] Listed listed(std::vector<Contender> contenders) const;
 
@@ -50,10 +52,11 @@ class MoldRanking {
   [[nodiscard]] Listed confirmed(std::vector<Contender> contenders, std::size_t most);
 
  private:
-  /// A canonical direction of which side actions release all of its undercuts, but for what ties.
-  struct Released {
+  /// A canonical direction whose cost is known.
+  struct Known {
     glm::dvec3 direction;
     UndercutTotals undercuts;
+    bool released = false;  // all of them, but for what ties
   };
 
   [[nodiscard]] MoldCost cost(const Contender& contender) const;
@@ -71,7 +74,7 @@ class MoldRanking {
   /// leave no more, but for what ties.
   double least_left_ = std::numeric_limits<double>::infinity();
   double least_effort_ = std::numeric_limits<double>::infinity();
-  std::vector<Released> released_;
+  std::vector<Known> known_;
   bool free_ = false, best_alone_ = false;
 };
 

@@ -176,14 +176,13 @@ void SweepRun::look_at_others(std::vector<Candidate>& candidates, bool best_alon
   if (molds_.found_leads(search_.named(), search_.contenders())) molds_.find_costs(search_.named(), true);
 }
 
-/// The best alone is listed with the next, beside which it is best.
+/// The best alone is listed with the next, beside which it is best, if that is known for sure.
 void SweepRun::list_as_molds(bool best_alone) {
   std::vector<Contender>& contenders = search_.contenders();
   contenders.insert(contenders.begin(), search_.named().begin(), search_.named().end());
   drop_unmeasured();
-  MoldRanking::Listed listed =
-      molds_.confirmed(std::move(contenders), seeks_actions(settings_) ? tools_.top() : 1);
-  if (best_alone) listed.cut_to(2);
+  MoldRanking::Listed listed = molds_.confirmed(std::move(contenders), best_alone ? 1 : tools_.top());
+  if (best_alone) listed.cut_to(listed.is_confirmed(1) ? 2 : 1);
   tools_.clock.report(sweep_stage::k_final, 0.0);
   result_.candidates = listed_as_molds(tools_, std::move(listed), !best_alone);
   result_.with_actions = static_cast<std::size_t>(std::ranges::count_if(

@@ -149,5 +149,15 @@ TEST(RecommendedBars, HoldForSmallSharedParts) {
   std::cout << expect_bars_of(*shared / "parts", k_small_part) << " shared parts\n";
 }
 
+/// Along each direction more side actions are found than are built; across the axis of the gears they would
+/// form most of the surface.
+TEST(RecommendedBars, WhatNeedsTooManySideActionsIsMoldedWhereItHasLeastUndercut) {
+  const auto shared = test::shared_folder();
+  if (!shared) GTEST_SKIP() << "no shared parts";
+  const auto gears = load_part((*shared / "parts" / "3mf_cube_gears_17parts.3mf").string(), {}, Progress{});
+  const BestDirection best = best_direction(gears, {}, Progress{});
+  EXPECT_EQ(std::abs(best.direction.z), 1.0) << best.name << ": " << best.why;
+}
+
 }  // namespace
 }  // namespace moldlight

@@ -29,6 +29,19 @@ TEST(MoldRank, WhatIsFormedInVainAddsNoEffort) {
   EXPECT_FALSE(costs_no_more(many, few));
 }
 
+TEST(MoldRank, MoreSideActionsThanAreBuiltWeighTheSameHoweverManyTheyAre) {
+  MoldCost few = cost({{undercut, 0.02}}), many = cost({{undercut, 0.03}}), most = cost({});
+  few.counts[static_cast<std::size_t>(ActionKind::slide)] = few.weight = k_most_actions;
+  EXPECT_FALSE(few.too_many());
+  many.counts[static_cast<std::size_t>(ActionKind::lifter)] = many.weight = k_most_actions + 1;
+  most.counts[static_cast<std::size_t>(ActionKind::lifter)] = most.weight = 60;
+  EXPECT_DOUBLE_EQ(mold_effort(many), mold_effort(most));
+  EXPECT_LT(mold_effort(few) + 4.0, mold_effort(many)) << "even if it leaves something unreleased";
+  many.of(unreleased) = many.of(undercut);
+  EXPECT_EQ(rank_reasons(many, few).front(), "needs more than 8 side actions");
+  EXPECT_EQ(rank_reasons(few, many).back(), "but needs no more than 8 side actions");
+}
+
 TEST(MoldRank, ComparesByOneCriterionAfterTheOther) {
   EXPECT_EQ(order({cost({{found, 1.0}}), cost({{unreleased, 0.5}})}), (Numbers{1, 0}));
   EXPECT_EQ(order({cost({{unreleased, 0.1}}), cost({{effort, 9.0}})}), (Numbers{1, 0}));

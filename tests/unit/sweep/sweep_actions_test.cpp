@@ -242,5 +242,21 @@ TEST(DirectionActions, CountActionsByTheShareReleasedOfTheirUndercuts) {
   EXPECT_DOUBLE_EQ(direction_actions(plan, split).in_vain, 0.75 * 1.2);
 }
 
+TEST(ActionLimit, MoreSideActionsThanAreBuiltAreGivenUpByTheirUndercut) {
+  const ActionLimit limit{.left = 50.0, .left_band = 10.0, .most_hopeless = 60.0};
+  const LeastActions many{.weight = 9.0, .number = k_most_actions + 1},
+      few{.weight = 8.0, .number = k_most_actions};
+  EXPECT_TRUE(limit.is_exceeded(many, {.count = 20, .area = 61.0}));
+  EXPECT_FALSE(limit.is_exceeded(many, {.count = 20, .area = 59.0}));
+  EXPECT_FALSE(limit.is_exceeded(few, {.count = 20, .area = 61.0}));
+}
+
+TEST(ActionLimit, MoreUndercutThanBesideAnAxisIsGivenUpUnlessItIsSpecks) {
+  const ActionLimit limit{.most_undercut = 60.0};
+  EXPECT_TRUE(limit.is_exceeded({}, {.count = 1, .area = 61.0}));
+  EXPECT_FALSE(limit.is_exceeded({}, {.count = 1, .area = 59.0}));
+  EXPECT_FALSE(limit.is_exceeded({}, {.count = 0, .area = 61.0}));
+}
+
 }  // namespace
 }  // namespace moldlight

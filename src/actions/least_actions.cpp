@@ -1,4 +1,4 @@
-#include "actions/least_weight.hpp"
+#include "actions/least_actions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +44,8 @@ Spread spread(const SplitMesh& split, const Undercut& undercut, const glm::dvec3
 
 }  // namespace
 
-double least_weight(const PartModel& model, const SplitMesh& split, const Undercuts& undercuts,
-                    const glm::dvec3& direction, const ActionSettings& settings) {
+LeastActions least_actions(const PartModel& model, const SplitMesh& split, const Undercuts& undercuts,
+                           const glm::dvec3& direction, const ActionSettings& settings) {
   const std::vector<Undercut>& all = undercuts.counted;
   const double reach =
       std::hypot(settings.bundle_across_mm, settings.bundle_along_mm) * unit_per_mm(model.part);
@@ -68,9 +68,12 @@ double least_weight(const PartModel& model, const SplitMesh& split, const Underc
     double& weight = weights[near.find(k)];
     weight = weight > 0.0 ? std::min(weight, own) : own;
   }
-  double sum = 0.0;
-  for (const double weight : weights) sum += weight;
-  return sum;
+  LeastActions least;
+  for (const double weight : weights) {
+    least.weight += weight;
+    least.number += weight > 0.0 ? 1 : 0;
+  }
+  return least;
 }
 
 }  // namespace moldlight
