@@ -7,11 +7,7 @@
 
 namespace moldlight::batch {
 
-namespace {
-
 constexpr int k_end = std::char_traits<char>::eof();
-
-}  // namespace
 
 CsvReader::CsvReader(std::istream& stream, std::string name)
     : bytes_(*stream.rdbuf()), name_(std::move(name)) {

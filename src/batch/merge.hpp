@@ -35,10 +35,9 @@ class MergeSink {
   virtual void finish() = 0;
 };
 
-/// Text is as shown_text() has it; where a path is not so, `path_bytes` has it as it is.
-/// Tables `batch` and `parts`, `previous` with the parts of the last merge of another plan into this file,
-/// and the views worst, changed, more_than_two_actions and failed. Throws FileError for a file that is there
-/// and no such database.
+/// Text is as shown_text() has it; where a path is not so, `path_bytes` has it as it is. Tables `batch` and
+/// `parts`, `previous` with the parts of the last merge of another plan into this file, and the views worst,
+/// changed, more_than_two_actions and failed. Throws FileError for a file that is there and no such database.
 [[nodiscard]] std::unique_ptr<MergeSink> sqlite_sink(const std::string& path, const Manifest& manifest);
 
 /// `first` takes the rows, too, if it is given, and finishes before any file is put in place. Throws

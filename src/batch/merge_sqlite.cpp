@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "base/owned.hpp"
 #include "base/shown_text.hpp"
 #include "batch/merge.hpp"
 #include "classify/json.hpp"
@@ -60,47 +61,43 @@ CREATE VIEW changed AS
 class Database {
  public:
   Database(const std::string& file, std::string known_as) : known_as_(std::move(known_as)) {
-    if (sqlite3_open(file.c_str(), &handle_) != SQLITE_OK) {
-      const std::string why = handle_ != nullptr ? sqlite3_errmsg(handle_) : "out of memory";
-      sqlite3_close(handle_);
-      throw FileError(known_as_, "", "cannot be written: " + why);
-    }
+    sqlite3* opened = nullptr;
+    const bool done = sqlite3_open(file.c_str(), &opened) == SQLITE_OK;
+    handle_.reset(opened);
+    if (!done) fail();
   }
-  ~Database() { sqlite3_close(handle_); }
-  Database(const Database&) = delete;
-  Database& operator=(const Database&) = delete;
 
-  [[nodiscard]] sqlite3* handle() const { return handle_; }
+  [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
   void run(const std::string& statements) const {
-    if (sqlite3_exec(handle_, statements.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+    if (sqlite3_exec(handle(), statements.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
   }
   [[noreturn]] void fail() const {
-    throw FileError(known_as_, "", fmt::format("cannot be written: {}", sqlite3_errmsg(handle_)));
+    throw FileError(known_as_, "", fmt::format("cannot be written: {}", sqlite3_errmsg(handle())));
   }
 
  private:
   std::string known_as_;
-  sqlite3* handle_ = nullptr;
+  Owned<sqlite3, sqlite3_close> handle_;
 };
 
 /// A statement that is run over and over with other values.
 class Statement {
  public:
   Statement(const Database& database, const std::string& text) : database_(database) {
-    if (sqlite3_prepare_v2(database.handle(), text.c_str(), -1, &handle_, nullptr) != SQLITE_OK)
+    sqlite3_stmt* prepared = nullptr;
+    if (sqlite3_prepare_v2(database.handle(), text.c_str(), -1, &prepared, nullptr) != SQLITE_OK)
       database.fail();
+    handle_.reset(prepared);
   }
-  ~Statement() { sqlite3_finalize(handle_); }
-  Statement(const Statement&) = delete;
-  Statement& operator=(const Statement&) = delete;
 
   void bind(std::string_view text) {
-    sqlite3_bind_text(handle_, ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
+    sqlite3_bind_text(handle_.get(), ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
   }
   void bind_bytes(std::string_view bytes) {
-    sqlite3_bind_blob(handle_, ++bound_, bytes.data(), static_cast<int>(bytes.size()), SQLITE_TRANSIENT);
+    sqlite3_bind_blob(handle_.get(), ++bound_, bytes.data(), static_cast<int>(bytes.size()),
+                      SQLITE_TRANSIENT);
   }
-  void bind_null() { sqlite3_bind_null(handle_, ++bound_); }
+  void bind_null() { sqlite3_bind_null(handle_.get(), ++bound_); }
   /// As the column has it, text fit to be shown.
   void bind(const ResultColumn& column, const Json& value) {
     const std::string text = value.is_string() ? shown_text(value.get<std::string>()) : "";
@@ -108,25 +105,25 @@ class Statement {
     if (value.is_null() || value.is_string()) return bind_null();
     const double number = value.is_boolean() ? static_cast<double>(value.get<bool>()) : value.get<double>();
     if (column.type == "REAL")
-      sqlite3_bind_double(handle_, ++bound_, number);
+      sqlite3_bind_double(handle_.get(), ++bound_, number);
     else
-      sqlite3_bind_int64(handle_, ++bound_, static_cast<sqlite3_int64>(number));
+      sqlite3_bind_int64(handle_.get(), ++bound_, static_cast<sqlite3_int64>(number));
   }
   void run() {
-    if (sqlite3_step(handle_) != SQLITE_DONE) database_.fail();
-    sqlite3_reset(handle_);
+    if (sqlite3_step(handle_.get()) != SQLITE_DONE) database_.fail();
+    sqlite3_reset(handle_.get());
     bound_ = 0;
   }
   /// The first column of the first row; nothing where there is none.
   [[nodiscard]] std::optional<std::string> text() {
-    if (sqlite3_step(handle_) != SQLITE_ROW) return std::nullopt;
-    const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(handle_, 0));
+    if (sqlite3_step(handle_.get()) != SQLITE_ROW) return std::nullopt;
+    const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(handle_.get(), 0));
     return bytes != nullptr ? std::optional<std::string>(bytes) : std::nullopt;
   }
 
  private:
   const Database& database_;
-  sqlite3_stmt* handle_ = nullptr;
+  Owned<sqlite3_stmt, sqlite3_finalize> handle_;
   int bound_ = 0;
 };
 
@@ -145,9 +142,9 @@ class SqliteSink : public MergeSink {
     try {
       database_ = std::make_unique<Database>(temporary_, path);
       database_->run(
-          fmt::format("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA application_id={};"
-                      "CREATE TABLE batch (name TEXT PRIMARY KEY, value TEXT);"
-                      "CREATE TABLE parts ({}, path_bytes BLOB); CREATE TABLE previous ({});",
+          fmt::format("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA application_id={};CREATE "
+                      "TABLE batch (name TEXT PRIMARY KEY, value TEXT);CREATE TABLE parts ({}, path_bytes "
+                      "BLOB); CREATE TABLE previous ({});",
                       k_application_id, column_texts(), column_texts()));
       if (fs::exists(path)) take_previous(manifest);
       database_->run("BEGIN");
@@ -202,9 +199,8 @@ class SqliteSink : public MergeSink {
         found = pragma.text();
       } catch (const FileError&) {  // no database at all
       }
-      if (found != fmt::format("{}", k_application_id)) {
+      if (found != fmt::format("{}", k_application_id))
         throw FileError(path_, "", "exists and is not a merged batch; name another file");
-      }
     }
     Statement attach(*database_, "ATTACH ? AS former");
     attach.bind(path_);
@@ -214,8 +210,8 @@ class SqliteSink : public MergeSink {
       const bool same_plan = planned.text() == manifest.planned_at;
       // A version before this one may have had fewer columns.
       Statement names(*database_,
-                      "SELECT group_concat(name) FROM pragma_table_info('parts', 'former') "
-                      "WHERE name IN (SELECT name FROM pragma_table_info('previous', 'main'))");
+                      "SELECT group_concat(name) FROM pragma_table_info('parts', 'former') WHERE name IN "
+                      "(SELECT name FROM pragma_table_info('previous', 'main'))");
       const std::string columns = names.text().value_or("");
       database_->run(fmt::format("INSERT INTO previous ({0}) SELECT {0} FROM former.{1}", columns,
                                  same_plan ? "previous" : "parts"));

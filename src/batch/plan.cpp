@@ -87,9 +87,8 @@ PlanSource list_source(const std::string& list, const Progress& progress) {
   std::vector<std::string> names, fields;
   const bool has_names = records.next(names);
   const auto path_column = static_cast<std::size_t>(std::ranges::find(names, "path") - names.begin());
-  if (!has_names || path_column == names.size()) {
+  if (!has_names || path_column == names.size())
     throw FileError(list, "line 1", "there is no column `path`; the first line names the columns");
-  }
   while (records.next(fields)) {
     const std::string place = fmt::format("line {}", records.line());
     if (fields.size() != names.size())

@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "base/shown_text.hpp"
 #include "batch/csv.hpp"
 #include "batch/part_result.hpp"
 #include "classify/number_format.hpp"

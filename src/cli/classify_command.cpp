@@ -133,12 +133,12 @@ void add_classify_command(CLI::App& program, Request& request) {
       "--compare-maps", flags->compare_maps,
       "Measure the difference between the shadow maps and the exact regions, by --samples surface samples");
   add_option_flag(*command, draft_options().front(), flags->draft_settings);
-  CLI::Option* finish = add_file_flag(*command, flags->finish,
-                                      {"--finish", "FILE.csv",
-                                       "Required draft by finish: a line \"FACE,FINISH\" for each face, by "
-                                       "the number that --faces writes, or "
-                                       "by the colour of faces in a STEP file, as #FF0000. "
-                                       "Finishes: polished, shut-off, texture DEPTH, draft ANGLE, none"});
+  CLI::Option* finish =
+      add_file_flag(*command, flags->finish,
+                    {"--finish", "FILE.csv",
+                     "Required draft by finish: a line \"FACE,FINISH\" for each face, by the number that "
+                     "--faces writes, or by the colour of faces in a STEP file, as #FF0000. Finishes: "
+                     "polished, shut-off, texture DEPTH, draft ANGLE, none"});
   add_option_flag(*command, finish_options().front(), flags->finish_settings)->needs(finish);
   add_file_flag(*command, flags->draft,
                 {"--draft", "FILE.csv",

@@ -49,9 +49,8 @@ void check_folder(const std::string& folder) {
   fs::path there = fs::absolute(folder, error);
   while (!there.empty() && !fs::exists(there, error) && there != there.parent_path())
     there = there.parent_path();
-  if (!fs::is_directory(there, error)) {
+  if (!fs::is_directory(there, error))
     throw FileError(folder, "", fmt::format("cannot be a folder: {} is not one", there.string()));
-  }
   if (::access(there.c_str(), W_OK | X_OK) != 0) {
     throw FileError(folder, "",
                     fmt::format("cannot be written to: {}: {}", there.string(), std::strerror(errno)));
@@ -75,9 +74,8 @@ void check_outputs(const Outputs& outputs) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     const NamedPath& file = files[i];
     if (file.path.empty() || is_special(file.path)) continue;
-    if (file.path == "-") {
+    if (file.path == "-")
       throw UsageError(fmt::format("{}: only --json can go to stdout; name a file", file.flag));
-    }
     for (const NamedPath& input : inputs) {
       if (input.path.empty() || !same_file(file.path, input.path)) continue;
       throw UsageError(

@@ -96,18 +96,17 @@ void add_compare_command(CLI::App& program, Request& request) {
   command->add_option("A", flags->a.part, "Part file: the old revision")->required();
   command->add_option("B", flags->b, "Part file: the new revision")->required();
   add_reading_flags(*command, flags->a, request);
-  add_text_flag(
-      *command,
-      {"-d,--direction", "X,Y,Z|AXIS|best|each",
-       "Parting direction +d of both parts: three numbers, an axis such as z or -y, or best for the "
-       "best of A. With each, every part has its own best. [default best]"},
-      [flags = flags.get()](const std::string& text) {
-        flags->choice = text == "best"   ? DirectionChoice::best
-                        : text == "each" ? DirectionChoice::each
-                                         : DirectionChoice::given;
-        if (flags->choice == DirectionChoice::given)
-          flags->direction = parse_direction({text, "--direction"});
-      });
+  add_text_flag(*command,
+                {"-d,--direction", "X,Y,Z|AXIS|best|each",
+                 "Parting direction +d of both parts: three numbers, an axis such as z or -y, or best for "
+                 "the best of A. With each, every part has its own best. [default best]"},
+                [flags = flags.get()](const std::string& text) {
+                  flags->choice = text == "best"   ? DirectionChoice::best
+                                  : text == "each" ? DirectionChoice::each
+                                                   : DirectionChoice::given;
+                  if (flags->choice == DirectionChoice::given)
+                    flags->direction = parse_direction({text, "--direction"});
+                });
   add_option_flags(*command, compare_options(), flags->settings);
   add_gate_flags(*command, flags->gate, comparison_figure_names());
   add_option_flags(*command, action_options(), flags->settings.actions);

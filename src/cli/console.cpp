@@ -29,9 +29,8 @@ int terminal_columns() {
 /// Where the caller has closed a standard stream, the next file that is opened would take its place and get
 /// what is meant for it.
 void occupy_closed_descriptors() {
-  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(descriptor, F_GETFD) < 0) static_cast<void>(::open("/dev/null", O_RDONLY));
-  }
 }
 
 void write_stderr(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
@@ -59,9 +58,8 @@ Console::~Console() { clear_progress(); }
 void Console::result(std::string_view text) {
   const std::lock_guard lock(mutex_);
   clear_progress();
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw Error(fmt::format("stdout: cannot be written: {}", std::strerror(errno)));
-  }
 }
 
 void Console::warning(std::string_view sentence) {

@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "base/shown_text.hpp"
 #include "classify/option_json.hpp"
 #include "io/part_formats.hpp"
 

@@ -56,9 +56,8 @@ void add_part_flags(CLI::App& command, PartFlags& flags, Request& request);
 /// What stands for the value in the help: "DEG", "TEXELS", "on|off", …
 template <typename S>
 [[nodiscard]] std::string value_text(const Option<S>& option) {
-  if (const auto* choice = std::get_if<ChoiceKind<S>>(&option.kind)) {
+  if (const auto* choice = std::get_if<ChoiceKind<S>>(&option.kind))
     return fmt::format("{}", fmt::join(choice->words, "|"));
-  }
   if (std::holds_alternative<SwitchKind<S>>(option.kind)) return "on|off";
   if (std::holds_alternative<DirectionsKind<S>>(option.kind)) return "X,Y,Z ...";
   if (std::holds_alternative<SetKind<S>>(option.kind)) return "LIST";
@@ -111,9 +110,8 @@ template <typename S>
 template <typename S>
 CLI::Option* add_option_flag(CLI::App& command, const Option<S>& option, S& settings) {
   const auto* is_switch = std::get_if<SwitchKind<S>>(&option.kind);
-  if (is_switch != nullptr && !(settings.*is_switch->member)) {
+  if (is_switch != nullptr && !(settings.*is_switch->member))
     return command.add_flag(std::string(option.flag), settings.*is_switch->member, std::string(option.help));
-  }
   CLI::Option* flag =
       add_text_flag(command, {names_of(option.flag), value_text(option), flag_help(option, settings)},
                     [&option, &settings](const std::string& text) {

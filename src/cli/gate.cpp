@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include "base/error.hpp"
-#include "base/shown_text.hpp"
 #include "cli/console.hpp"
 #include "cli/flags.hpp"
 #include "io/atomic_file.hpp"

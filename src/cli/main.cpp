@@ -16,7 +16,6 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
-#include "base/shown_text.hpp"
 #include "base/similar_word.hpp"
 #include "base/threads.hpp"
 #include "cli/flags.hpp"
@@ -48,17 +47,15 @@ class InterruptGuard {
     for (const int signal : {SIGINT, SIGTERM}) {
       struct sigaction former = {};
       // Who started the program may want it to outlive an interrupt (nohup, a background job).
-      if (sigaction(signal, nullptr, &former) == 0 && former.sa_handler != SIG_IGN) {
+      if (sigaction(signal, nullptr, &former) == 0 && former.sa_handler != SIG_IGN)
         sigaction(signal, &action, nullptr);
-      }
     }
   }
   ~InterruptGuard() {
     for (const int signal : {SIGINT, SIGTERM}) {
       struct sigaction former = {};
-      if (sigaction(signal, nullptr, &former) == 0 && former.sa_handler == cancel_progress) {
+      if (sigaction(signal, nullptr, &former) == 0 && former.sa_handler == cancel_progress)
         std::signal(signal, SIG_DFL);
-      }
     }
     interrupted_progress.store(nullptr);
   }

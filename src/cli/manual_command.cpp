@@ -94,8 +94,7 @@ std::string roff(const std::string& text) {
 std::string manual(const CLI::App& program) {
   std::string text = fmt::format(
       ".TH MOLDLIGHT 1 \"\" \"moldlight {}\" \"User commands\"\n.SH NAME\nmoldlight \\- mold\\-piece regions "
-      "and "
-      "parting directions of injection\\-molded parts\n.SH SYNOPSIS\n",
+      "and parting directions of injection\\-molded parts\n.SH SYNOPSIS\n",
       MOLDLIGHT_VERSION);
   std::string commands;
   for (const auto& [name, command] : commands_of(program)) {
@@ -131,8 +130,7 @@ std::string bash_completion(const CLI::App& program) {
   for (const CommandGroup& group : groups_of(program))
     groups += fmt::format(
         "  if [[ $command == {0} ]]; then\n    [[ $COMP_CWORD -ne 2 ]] || {{ COMPREPLY=($(compgen -W \"{1}\" "
-        "-- "
-        "\"$word\")); return; }}\n    command=\"{0} ${{COMP_WORDS[2]}}\"\n  fi\n",
+        "-- \"$word\")); return; }}\n    command=\"{0} ${{COMP_WORDS[2]}}\"\n  fi\n",
         group.name, fmt::join(group.words, " "));
   for (const auto& [name, command] : commands_of(program)) {
     std::vector<std::string> of_command;

@@ -1,6 +1,7 @@
 #include "cli/report_flags.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
@@ -45,12 +46,9 @@ bool is_day(const std::string& text) {
   if (text.size() != 10 || text[4] != '-' || text[7] != '-') return false;
   const auto year = number_from<int>(text.substr(0, 4)), month = number_from<int>(text.substr(5, 2)),
              day = number_from<int>(text.substr(8, 2));
-  if (!year || !month || !day || *year < 1 || *month < 1 || *month > 12 || *day < 1) return false;
-  const bool leap = (*year % 4 == 0 && *year % 100 != 0) || *year % 400 == 0;
-  const int days = *month == 2                                                 ? (leap ? 29 : 28)
-                   : *month == 4 || *month == 6 || *month == 9 || *month == 11 ? 30
-                                                                               : 31;
-  return *day <= days;
+  if (!year || !month || !day || *year < 1 || *month < 1 || *day < 1) return false;
+  namespace chrono = std::chrono;
+  return (chrono::year(*year) / *month / *day).ok();
 }
 
 /// The day that the environment asks for, "2026-11-25" (SOURCE_DATE_EPOCH, in seconds); empty where it asks
@@ -111,8 +109,7 @@ void add_live_flag(CLI::App& command, ReportFlags& flags) {
   command
       .add_flag("--live", flags.live,
                 "Let the page of --html find the regions of any direction by itself, by shadow maps on the "
-                "reader's "
-                "graphics card")
+                "reader's graphics card")
       ->needs(command.get_option("--html"));
 }
 

@@ -44,17 +44,15 @@ class SweepMeter {
     std::string text = columns >= k_least_columns_for_bar ? bar(share) + " " : "";
     text += fmt::format("{:3.0f} %  {}", 100.0 * share, stage);
     if (scored > 0) text += fmt::format(", {} directions", scored);
-    if (scored > 0 && (stage == sweep_stage::k_scoring || stage == sweep_stage::k_refining)) {
+    if (scored > 0 && (stage == sweep_stage::k_scoring || stage == sweep_stage::k_refining))
       text += fmt::format(", {:.0f}/s", static_cast<double>(scored) / elapsed_s);
-    }
     if (stage == sweep_stage::k_proving) {
       text += fmt::format(", {:.2f} % of the half-sphere open", 100.0 * (1.0 - fraction));
       return text;
     }
     // Before that it would be a guess about guesses.
-    if (elapsed_s > 1.0 && share > 0.03) {
+    if (elapsed_s > 1.0 && share > 0.03)
       text += fmt::format(", about {} left", time_text(elapsed_s * (1.0 - share) / share));
-    }
     return text;
   }
 
@@ -107,9 +105,8 @@ SweepSettings sweep_settings(const SweepFlags& flags, const Progress& progress) 
     const std::vector<glm::dvec3> listed = read_directions(flags.directions_file, progress);
     settings.user_directions.insert(settings.user_directions.end(), listed.begin(), listed.end());
   }
-  if (settings.kinds.empty() && settings.user_directions.empty()) {
+  if (settings.kinds.empty() && settings.user_directions.empty())
     throw UsageError("--candidates none: give --direction or --directions-file");
-  }
   if (flags.must_be_proved && !settings.prove_pct && !settings.all_free_pct)
     throw UsageError("--fail-unless-proved: give --prove or --all-free, too");
   for (const CLI::Option* flag : flags.of_actions) {
@@ -194,9 +191,8 @@ int run(const SweepFlags& flags, Console& console, const Progress& progress) {
   });
   if (!flags.image_folder.empty()) {
     console.progress("drawing pictures", 1.0);
-    if (!write_sweep_pictures({*context, model, result}, flags.still, flags.image_folder, progress)) {
+    if (!write_sweep_pictures({*context, model, result}, flags.still, flags.image_folder, progress))
       console.warning(fmt::format("interrupted; {} was not drawn", k_contact_sheet));
-    }
   }
   if (flags.report.any() && !progress.cancelled()) {
     console.progress("writing the report", 1.0);

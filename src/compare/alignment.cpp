@@ -16,7 +16,6 @@
 #include <tbb/parallel_reduce.h>
 
 #include "base/numbers.hpp"
-#include "compare/convex_polygon.hpp"
 #include "compare/overlay.hpp"
 #include "mesh/faces.hpp"
 #include "mesh/facet_geometry.hpp"

@@ -1,5 +1,4 @@
 // The report of a comparison as JSON.
-#include <iterator>
 
 #include <nlohmann/json.hpp>
 

@@ -173,8 +173,8 @@ std::span<const Option<CompareSettings>> compare_options() {
       {"actions", "--actions", "Side actions", "",
        "Compare the undercuts one by one, with their side actions", SwitchKind<S>{&S::with_actions}},
       {"mold", "--mold", "Mold", "",
-       "Report whether A's mold survives: steel to cut and to add, and where the parting line moves. "
-       "The default is on if --direction names a direction.",
+       "Report whether A's mold survives: steel to cut and to add, and where the parting line moves. The "
+       "default is on if --direction names a direction.",
        SwitchKind<S>{&S::with_mold}},
   };
   return k_options;

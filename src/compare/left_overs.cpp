@@ -30,9 +30,8 @@ struct InCell {
 };
 
 bool overlap(const Bounds& a, const Bounds& b) {
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis)
     if (a.min[axis] > b.max[axis] || b.min[axis] > a.max[axis]) return false;
-  }
   return true;
 }
 

@@ -30,8 +30,7 @@ double cone(const ConvexPolygon& polygon, const glm::dvec3& apex) {
   return sum;
 }
 
-/// Facets of B with their sense, of A reversed, without those in both: they enclose
-/// what came less what went.
+/// Facets of B with their sense, of A reversed, without those in both: they enclose what came less what went.
 void add_facets(const TriangleMesh& a, const TriangleMesh& b, std::vector<CellBit>& bits) {
   using Point = std::array<double, 3>;
   std::map<std::array<Point, 3>, int> counts;

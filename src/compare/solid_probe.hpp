@@ -1,7 +1,6 @@
 // How often a closed surface winds around a point: whether the point is in the solid.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include <glm/mat3x3.hpp>

@@ -51,9 +51,8 @@ void Context::initialise(std::string backend, const Functions::ProcAddress& addr
     GLint major = 0, minor = 0;
     functions_.GetIntegerv(GL_MAJOR_VERSION, &major);
     functions_.GetIntegerv(GL_MINOR_VERSION, &minor);
-    if (major * 10 + minor < 33) {
+    if (major * 10 + minor < 33)
       throw Error(fmt::format("the driver has OpenGL {}, 3.3 is needed", text(functions_, GL_VERSION)));
-    }
     backend_ = std::move(backend);
     renderer_ = text(functions_, GL_RENDERER);
     draws_on_cpu_ =

@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "gl/headless_backends.hpp"
 
 namespace moldlight::gl {
 

@@ -25,28 +25,20 @@ std::string_view error_name(GLenum error) {
 }
 
 struct PixelLayout {
-  GLenum format, type;
+  GLenum internal_format, format, type;
 };
+constexpr PixelLayout k_layouts[] = {{GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT},
+                                     {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_INT},
+                                     {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT},
+                                     {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT},
+                                     {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
+                                     {GL_R8, GL_RED, GL_UNSIGNED_BYTE},
+                                     {GL_RGBA32F, GL_RGBA, GL_FLOAT}};
 
 // TexImage2D wants a client format even without data, and it must suit the internal one.
 PixelLayout pixel_layout(GLenum internal_format) {
-  switch (internal_format) {
-    case GL_DEPTH_COMPONENT32F:
-      return {GL_DEPTH_COMPONENT, GL_FLOAT};
-    case GL_R8UI:
-    case GL_R32UI:
-      return {GL_RED_INTEGER, GL_UNSIGNED_INT};
-    case GL_RG32UI:
-      return {GL_RG_INTEGER, GL_UNSIGNED_INT};
-    case GL_RGBA32UI:
-      return {GL_RGBA_INTEGER, GL_UNSIGNED_INT};
-    case GL_R8:
-      return {GL_RED, GL_UNSIGNED_BYTE};
-    case GL_RGBA32F:
-      return {GL_RGBA, GL_FLOAT};
-    default:
-      return {GL_RGBA, GL_UNSIGNED_BYTE};
-  }
+  const auto* known = std::ranges::find(k_layouts, internal_format, &PixelLayout::internal_format);
+  return known != std::end(k_layouts) ? *known : PixelLayout{internal_format, GL_RGBA, GL_UNSIGNED_BYTE};
 }
 
 GLuint generate(const Entry<void (*)(GLsizei, GLuint*)>& entry) {
@@ -59,10 +51,9 @@ void check_size(const Functions& gl, int width, int height) {
   GLint largest = 0;
   gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (width < 1 || height < 1 || width > largest || height > largest) {
-    throw Error(
-        fmt::format("the driver has no texture of {} x {} texels, its largest is {} x {}: choose a smaller "
-                    "resolution",
-                    width, height, largest, largest));
+    throw Error(fmt::format(
+        "the driver has no texture of {} x {} texels, its largest is {} x {}: choose a smaller resolution",
+        width, height, largest, largest));
   }
 }
 
@@ -154,9 +145,8 @@ Framebuffer make_framebuffer(const Functions& gl, const Attachments& attachments
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, colour, 0);
     draw_buffers.push_back(point);
   }
-  if (attachments.depth != 0) {
+  if (attachments.depth != 0)
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, attachments.depth, 0);
-  }
   if (draw_buffers.empty()) draw_buffers.push_back(GL_NONE);
   gl.DrawBuffers(static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
   gl.ReadBuffer(draw_buffers.front());

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "gl/headless_backends.hpp"
+#include "gl/headless_context.hpp"
 
 namespace moldlight::gl {
 
@@ -42,23 +42,15 @@ class OsmesaContext final : public Context {
  public:
   explicit OsmesaContext(const std::vector<std::string>& names) : osmesa_(names) {
     for (const auto& [major, minor] : {std::pair{4, 5}, std::pair{3, 3}}) {
-      const int attributes[] = {k_osmesa_format,
-                                GL_RGBA,
-                                k_osmesa_depth_bits,
-                                0,
-                                k_osmesa_stencil_bits,
-                                0,
-                                k_osmesa_accum_bits,
-                                0,
-                                k_osmesa_profile,
-                                k_osmesa_core_profile,
-                                k_osmesa_major_version,
-                                major,
-                                k_osmesa_minor_version,
-                                minor,
-                                0,
-                                0};
-      handle_ = osmesa_.create_context(attributes, nullptr);
+      // Ends with a pair of zeros.
+      const std::array<std::array<int, 2>, 8> attributes = {{{k_osmesa_format, GL_RGBA},
+                                                             {k_osmesa_depth_bits, 0},
+                                                             {k_osmesa_stencil_bits, 0},
+                                                             {k_osmesa_accum_bits, 0},
+                                                             {k_osmesa_profile, k_osmesa_core_profile},
+                                                             {k_osmesa_major_version, major},
+                                                             {k_osmesa_minor_version, minor}}};
+      handle_ = osmesa_.create_context(attributes.front().data(), nullptr);
       if (handle_ != nullptr) break;
     }
     if (handle_ == nullptr) throw Error("OSMesaCreateContextAttribs gives no core context");
@@ -78,9 +70,8 @@ class OsmesaContext final : public Context {
  private:
   void bind() override {
     // The library insists on a default framebuffer; nobody draws to it.
-    if (osmesa_.make_current(handle_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == 0) {
+    if (osmesa_.make_current(handle_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == 0)
       throw Error("OSMesaMakeCurrent fails");
-    }
   }
   void unbind() noexcept override { osmesa_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
 

@@ -29,9 +29,8 @@ Shader compile(const Functions& gl, GLenum stage, const ShaderText& source) {
   gl.CompileShader(shader.name());
   GLint compiled = GL_FALSE;
   gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
-  if (compiled == GL_FALSE) {
+  if (compiled == GL_FALSE)
     throw Error(readable_log(source, info_log(gl.GetShaderiv, gl.GetShaderInfoLog, shader.name())));
-  }
   return shader;
 }
 
@@ -96,9 +95,8 @@ void Program::set_texture(std::string_view name, int unit, GLenum target, const 
 
 GLint Program::location(std::string_view name) const {
   const auto found = uniforms_.find(name);
-  if (found == uniforms_.end()) {
+  if (found == uniforms_.end())
     check_failed(fmt::format("an active uniform {} in {}", name, name_).c_str(), __FILE__, __LINE__);
-  }
   return found->second;
 }
 
@@ -110,9 +108,8 @@ const Program& Programs::use(std::string_view vertex, std::string_view fragment,
   auto found = programs_.find(key);
   if (found == programs_.end()) {
     ProgramSources sources{.vertex = vertex, .fragment = fragment};
-    for (const std::string_view define : defines) {
+    for (const std::string_view define : defines)
       if (!define.empty()) sources.defines.emplace_back(define, "1");
-    }
     found = programs_.emplace(std::move(key), Program(*gl_, sources)).first;
   }
   found->second.use();

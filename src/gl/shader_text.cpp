@@ -54,9 +54,8 @@ class Expansion {
       append_line(line, {index, number});
       if (has_version || !line.starts_with("#version")) continue;
       has_version = true;
-      for (const auto& [name, value] : defines_) {
+      for (const auto& [name, value] : defines_)
         append_line(fmt::format("#define {} {}", name, value), {index, number});
-      }
     }
     if (!has_version) throw Error(fmt::format("shaders/{}: no #version line", path));
   }

@@ -30,7 +30,6 @@
 #include "gui/view/revision_view.hpp"
 #include "gui/view/side_actions.hpp"
 #include "gui/view/viewport.hpp"
-#include "render/view_passes.hpp"
 
 namespace moldlight::gui {
 

@@ -16,7 +16,6 @@
 #include "gui/store/user_state.hpp"
 #include "gui/view/surface.hpp"
 #include "mold/direction_field.hpp"
-#include "mold/map_frame.hpp"
 #include "render/camera.hpp"
 #include "render/view_geometry.hpp"
 #include "study/study.hpp"

@@ -12,12 +12,8 @@
 
 namespace moldlight::gui {
 
-namespace {
-
 constexpr float k_names_height = 32.0F;  // of two revisions, layout units
 constexpr double k_resting_share = 0.5;  // of its travel, at which a body stands where nothing moves
-
-}  // namespace
 
 std::vector<unsigned> App::shipped_pictures(const Ui& ui) {
   if (state_.model || loading_part()) return {};

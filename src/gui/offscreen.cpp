@@ -11,12 +11,8 @@
 
 namespace moldlight::gui {
 
-namespace {
-
 constexpr int k_most_settling_frames = 600;
 constexpr std::chrono::minutes k_patience(10);
-
-}  // namespace
 
 // ImGui's renderer finds its functions through GLX's or EGL's table, which OSMesa has no part in.
 OffscreenWindow::OffscreenWindow(const OffscreenOptions& options)
@@ -56,7 +52,7 @@ void OffscreenWindow::make_frame() {
                    .dropped = std::exchange(dropped_, {})};
   app_->prepare(input);
   ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = im(glm::vec2(target_->size()));
+  io.DisplaySize = glm::vec2(target_->size());
   io.DisplayFramebufferScale = ImVec2(1.0F, 1.0F);
   input.played = input_.play(io, now_s_);
   app_->frame(input);

@@ -343,9 +343,8 @@ void Commands::export_mold(const MoldPaths& paths) {
     }
     std::vector<std::string> names = paths.lines;
     if (!paths.json.empty()) names.push_back(paths.json);
-    for (const WrittenBody& body : written.bodies) {
+    for (const WrittenBody& body : written.bodies)
       if (!body.file.empty()) names.push_back(body.file);
-    }
     return fmt::format("Exported {} of the mold to {}", plural(names.size(), "file"),
                        names.empty() ? "" : fs::path(names.front()).parent_path().string());
   });

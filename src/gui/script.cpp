@@ -36,9 +36,8 @@ constexpr std::pair<std::string_view, int> k_key_names[] = {
 
 int key_code(const std::string& name) {
   if (name.size() == 1) return std::toupper(static_cast<unsigned char>(name[0]));
-  for (const auto& [known, code] : k_key_names) {
+  for (const auto& [known, code] : k_key_names)
     if (known == name) return code;
-  }
   throw UsageError(fmt::format("there is no key '{}'", name));
 }
 

@@ -76,9 +76,8 @@ void write_face_csv(const std::string& path, std::span<const SourceAreas> faces)
     const double area = face.areas.total();
     row.clear();
     fmt::format_to(std::back_inserter(row), "{},{}", face.source, area);
-    for (const Region region : k_regions) {
+    for (const Region region : k_regions)
       fmt::format_to(std::back_inserter(row), ",{}", area > 0.0 ? face.areas[region] / area : 0.0);
-    }
     file.write(row += '\n');
   }
   file.commit();

@@ -17,6 +17,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/owned.hpp"
 
 namespace moldlight {
 
@@ -60,22 +61,21 @@ constexpr std::size_t k_hash_bytes = std::size_t{1} << 18;
 class Sum {
  public:
   Sum() : context_(EVP_MD_CTX_new()) {
-    if (context_ == nullptr) throw std::bad_alloc();
-    CHECK(EVP_DigestInit_ex(context_, EVP_sha256(), nullptr) == 1);
+    if (!context_) throw std::bad_alloc();
+    CHECK(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
   }
-  ~Sum() { EVP_MD_CTX_free(context_); }
-  Sum(const Sum&) = delete;
-  Sum& operator=(const Sum&) = delete;
 
-  void add(const char* bytes, std::size_t count) { CHECK(EVP_DigestUpdate(context_, bytes, count) == 1); }
+  void add(const char* bytes, std::size_t count) {
+    CHECK(EVP_DigestUpdate(context_.get(), bytes, count) == 1);
+  }
   [[nodiscard]] Digest value() {
     Digest digest;
-    CHECK(EVP_DigestFinal_ex(context_, digest.data(), nullptr) == 1);
+    CHECK(EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr) == 1);
     return digest;
   }
 
  private:
-  EVP_MD_CTX* context_;
+  Owned<EVP_MD_CTX, EVP_MD_CTX_free> context_;
 };
 
 }  // namespace
@@ -95,9 +95,8 @@ FileContents::FileContents(const std::string& path, const Progress& progress, co
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.number() < 0) throw FileError(path, "", fmt::format("cannot be opened: {}", std::strerror(errno)));
   struct stat status = {};
-  if (::fstat(file.number(), &status) != 0) {
+  if (::fstat(file.number(), &status) != 0)
     throw FileError(path, "", fmt::format("cannot be examined: {}", std::strerror(errno)));
-  }
   if (S_ISDIR(status.st_mode)) throw FileError(path, "", "is a folder; name a part file");
   if (!S_ISREG(status.st_mode))
     throw FileError(path, "", "is not a regular file; save the part to a file first");

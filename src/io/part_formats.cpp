@@ -126,9 +126,8 @@ bool is_part_file_name(const std::string& name) {
 std::string lower_extension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   if (!extension.empty()) extension.erase(0, 1);
-  for (char& c : extension) {
+  for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
   return extension;
 }
 
@@ -140,9 +139,8 @@ const PartFormat& detect_format(const std::string& path, const FileBeginning& fi
   if (head.starts_with("\x1f\x8b"))
     throw FileError(path, "byte 0", "is compressed with gzip; unpack it first");
   if (looks_utf16(head)) throw FileError(path, "byte 0", "is UTF-16 text; save it as UTF-8 or plain ASCII");
-  if (head.starts_with("version https://git-lfs")) {
+  if (head.starts_with("version https://git-lfs"))
     throw FileError(path, "line 1", "is a Git LFS pointer, not the part itself; run 'git lfs pull' first");
-  }
   const std::size_t binary_at = binary_byte(head);
   const bool binary = binary_at != std::string_view::npos;
   TextScanner words(head, {.has_comments = true});

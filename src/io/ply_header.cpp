@@ -88,9 +88,8 @@ void PlyHeaderParser::parse_element() {
   element.name = words_.next_on_line();
   const std::string_view word = words_.next_on_line();
   const auto count = parse_integer(word);
-  if (!count || *count < 0) {
+  if (!count || *count < 0)
     context_.fail(place(), "expected a count of elements, found {}; export the part again", in_quotes(word));
-  }
   element.count = static_cast<std::uint64_t>(*count);
   header_.elements.push_back(std::move(element));
 }
@@ -113,9 +112,8 @@ void PlyHeaderParser::parse_property() {
 
 PlyType PlyHeaderParser::parse_type() {
   const std::string_view word = words_.next_on_line();
-  for (std::size_t type = 0; type < k_type_names.size(); ++type) {
+  for (std::size_t type = 0; type < k_type_names.size(); ++type)
     if (std::ranges::count(k_type_names[type], word) > 0) return static_cast<PlyType>(type);
-  }
   context_.fail(place(), "expected a PLY type such as 'float', found {}; export the part again",
                 in_quotes(word));
 }
@@ -147,9 +145,8 @@ void PlyHeaderParser::check_counts() const {
 std::size_t ply_type_size(PlyType type) { return k_type_sizes[static_cast<std::size_t>(type)]; }
 
 std::optional<std::size_t> PlyElement::find(std::string_view property) const {
-  for (std::size_t i = 0; i < properties.size(); ++i) {
+  for (std::size_t i = 0; i < properties.size(); ++i)
     if (properties[i].name == property) return i;
-  }
   return std::nullopt;
 }
 

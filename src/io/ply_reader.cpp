@@ -119,9 +119,8 @@ class PlyParser {
 };
 
 Part PlyParser::parse() {
-  for (const PlyElement& element : header_.elements) {
+  for (const PlyElement& element : header_.elements)
     if (element.name == "vertex") vertices_ = element.count;
-  }
   for (const PlyElement& element : header_.elements) {
     if (element.name == "vertex") {
       read_vertices(element);
@@ -152,9 +151,8 @@ void PlyParser::read_vertices(const PlyElement& element) {
   std::vector<int> axis_of(element.properties.size(), -1);
   for (int axis = 0; axis < 3; ++axis) {
     const auto found = element.find(std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1));
-    if (!found || element.properties[*found].count_type) {
+    if (!found || element.properties[*found].count_type)
       context_.fail("", "the vertices have no coordinate {}; export the part again", "xyz"[axis]);
-    }
     axis_of[*found] = axis;
   }
   for (std::uint64_t row = 0; row < element.count; ++row) {
@@ -175,9 +173,8 @@ void PlyParser::read_vertices(const PlyElement& element) {
 void PlyParser::read_faces(const PlyElement& element) {
   auto list = element.find("vertex_indices");
   if (!list) list = element.find("vertex_index");
-  if (!list || !element.properties[*list].count_type) {
+  if (!list || !element.properties[*list].count_type)
     context_.fail("", "the faces have no list 'vertex_indices'; export the part again");
-  }
   std::vector<std::uint32_t> corners;
   for (std::uint64_t row = 0; row < element.count; ++row) {
     begin_row(element, row);
@@ -192,9 +189,8 @@ void PlyParser::read_faces(const PlyElement& element) {
       corners.clear();
       for (std::size_t corner = 0; corner < count; ++corner) {
         const double index = values_.next(property.type);
-        if (!(index >= 0.0 && index < static_cast<double>(vertices_)) || index != std::floor(index)) {
+        if (!(index >= 0.0 && index < static_cast<double>(vertices_)) || index != std::floor(index))
           values_.fail("it uses vertex {}, but there are {}, numbered from 0", index, vertices_);
-        }
         corners.push_back(static_cast<std::uint32_t>(index));
       }
       builder_.add_polygon(corners);

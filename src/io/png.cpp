@@ -13,9 +13,8 @@ namespace moldlight {
 namespace {
 
 bool is_opaque(const Image& image) {
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4)
     if (image.rgba[i] != 255) return false;
-  }
   return true;
 }
 
@@ -41,9 +40,8 @@ std::string png_bytes(const Image& image) {
   const void* pixels = opaque ? rgb.data() : image.rgba.data();
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
   png_alloc_size_t size = bytes.size();
-  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels, 0, nullptr) == 0) {
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels, 0, nullptr) == 0)
     throw Error(std::string("a picture cannot be encoded as PNG: ") + png.message);
-  }
   bytes.resize(size);
   return bytes;
 }

@@ -62,9 +62,8 @@ void PolygonPartBuilder::cut_polygons(Part& part, const std::vector<BodyStart>& 
       context_.progress.report("cutting polygons",
                                static_cast<double>(polygon) / static_cast<double>(polygon_ends_.size()));
     }
-    for (; next_body < bodies.size() && bodies[next_body].first_polygon <= polygon; ++next_body) {
+    for (; next_body < bodies.size() && bodies[next_body].first_polygon <= polygon; ++next_body)
       begin_body(part, bodies[next_body].name);
-    }
     const std::span<const std::uint32_t> corners(corners_.data() + start, polygon_ends_[polygon] - start);
     start = polygon_ends_[polygon];
     if (corners.size() == 3) {
@@ -72,9 +71,8 @@ void PolygonPartBuilder::cut_polygons(Part& part, const std::vector<BodyStart>& 
     } else {
       points.clear();
       for (const std::uint32_t corner : corners) points.push_back(vertices_[corner]);
-      if (triangulator.triangulate(points, triangles) == PolygonCut::fan_of_odd && odd_polygons++ == 0) {
+      if (triangulator.triangulate(points, triangles) == PolygonCut::fan_of_odd && odd_polygons++ == 0)
         first_odd = polygon;
-      }
       for (const auto& t : triangles)
         part.mesh.facets.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
     }

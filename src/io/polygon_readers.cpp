@@ -89,9 +89,8 @@ Part PolygonTextParser::parse_obj() {
                   "a face uses vertex {}, but there are {}; export the part again", broken->index,
                   builder_.vertex_count());
   }
-  if (surfaces_ > 0) {
+  if (surfaces_ > 0)
     builder_.warn(fmt::format("{} free-form surfaces were left out; export the part as polygons", surfaces_));
-  }
   return builder_.finish(objects_.empty() ? groups_ : objects_);
 }
 
@@ -133,9 +132,8 @@ void PolygonTextParser::parse_obj_face() {
     if (word.empty()) break;
     corners_.push_back(parse_obj_corner(word));
   }
-  if (corners_.size() < 3) {
+  if (corners_.size() < 3)
     context_.fail(place(), "a face has {} corners, it needs three; export the part again", corners_.size());
-  }
   builder_.add_polygon(corners_);
 }
 
@@ -163,9 +161,8 @@ std::uint32_t PolygonTextParser::parse_obj_corner(std::string_view word) {
                   "a face uses vertex {}, but there are {} so far, numbered from 1; export the part again",
                   index, count);
   }
-  if (index > count && (promises_.empty() || index > promises_.back().index)) {
+  if (index > count && (promises_.empty() || index > promises_.back().index))
     promises_.push_back({index, words_.line()});
-  }
   return static_cast<std::uint32_t>(index - 1);
 }
 

@@ -85,9 +85,8 @@ inline constexpr double k_max_coordinate = 1e30;
 [[nodiscard]] Part read_threemf(const ReadContext& context);
 
 /// STEP, through the program moldlight-step, which lies beside moldlight and is built with OpenCASCADE.
-/// Solids are the bodies; facet_source holds CAD face numbers from 0; lengths are in the file's unit.
-/// Throws FileError also where this build has no STEP support, and where the file breaks the reading
-/// program.
+/// Solids are the bodies; facet_source holds CAD face numbers from 0; lengths are in the file's unit. Throws
+/// FileError also where this build has no STEP support, and where the file breaks the reading program.
 [[nodiscard]] Part read_step(const ReadContext& context);
 /// Path of moldlight-step: beside this program, or where an installation keeps helpers, of the program or of
 /// the Python module; none where it is nowhere of these.

@@ -81,9 +81,8 @@ pid_t start(const ChildCommand& command, int writing_end) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, writing_end, k_step_result_descriptor);
   posix_spawn_file_actions_adddup2(&actions, command.file, k_step_file_descriptor);
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
-  }
   std::vector<std::string> words = {command.program};
   words.insert(words.end(), command.arguments.begin(), command.arguments.end());
   std::vector<char*> pointers;
@@ -202,9 +201,8 @@ void check_result(const ReadContext& context, const StepResult& result) {
     if (body.facets == 0 || body.facets > result.facets.size() - covered) context.fail("", "{}", k_broken);
     covered += body.facets;
   }
-  if (covered == 0 || covered != result.facets.size() || result.faces.size() != covered) {
+  if (covered == 0 || covered != result.facets.size() || result.faces.size() != covered)
     context.fail("", "{}", k_broken);
-  }
   const auto faces = static_cast<std::uint32_t>(result.face_colours.size());
   if (faces > 0 && std::ranges::any_of(result.faces, [faces](std::uint32_t face) { return face >= faces; }))
     context.fail("", "{}", k_broken);
@@ -214,9 +212,8 @@ void check_result(const ReadContext& context, const StepResult& result) {
     context.fail(fmt::format("vertex {}", i), "is ({}, {}, {}); export the part as STL", x, y, z);
   }
   for (const auto& facet : result.facets) {
-    for (const std::uint32_t corner : facet) {
+    for (const std::uint32_t corner : facet)
       if (corner >= result.vertices.size()) context.fail("", "{}", k_broken);
-    }
   }
 }
 

@@ -121,9 +121,8 @@ void AsciiStlParser::parse_solid(const std::string& name) {
     }
     fail_expected("'facet' or 'endsolid'", word);
   }
-  if (facet_ > first) {
+  if (facet_ > first)
     bodies_.push_back({name, static_cast<FacetIndex>(first), static_cast<FacetIndex>(facet_ - first)});
-  }
 }
 
 /// A name runs to the end of its line, or to the first facet where the whole file is one line.
@@ -160,9 +159,8 @@ void AsciiStlParser::parse_facet() {
   expect("loop");
   for (int i = 0; i < 3; ++i) parse_vertex();
   const TextScanner before = words_;
-  if (equals_ignoring_case(words_.next(), "vertex")) {
+  if (equals_ignoring_case(words_.next(), "vertex"))
     context_.fail(place(), "facet {} has more than three vertices; export the part as triangles", facet_);
-  }
   words_ = before;
   expect_end("endloop", "loop");
   expect_end("endfacet", "facet");
@@ -226,8 +224,7 @@ void refuse_binary_stl(const std::string& path, const FileBeginning& file) {
   if (rest == 0) {
     throw FileError(
         path, "byte 80",
-        fmt::format("the header declares {} facets, but the file's size is that of {}; export the "
-                    "part again",
+        fmt::format("the header declares {} facets, but the file's size is that of {}; export the part again",
                     declared, held));
   }
   if (declared > held) {
@@ -252,19 +249,16 @@ Part read_binary_stl(const ReadContext& context) {
   std::vector<glm::dvec3> corners;
   corners.reserve(3 * count);
   for (std::size_t facet = 0; facet < count; ++facet) {
-    if (facet % k_binary_facets_between_reports == 0) {
+    if (facet % k_binary_facets_between_reports == 0)
       context.progress.report("reading facets", static_cast<double>(facet) / static_cast<double>(count));
-    }
     float xyz[9];
     std::memcpy(xyz, bytes.data() + k_header_bytes + facet * k_facet_bytes + k_normal_bytes, sizeof xyz);
     for (const float value : xyz) {
-      if (!is_usable_coordinate(static_cast<double>(value))) {
+      if (!is_usable_coordinate(static_cast<double>(value)))
         context.fail(fmt::format("facet {}", facet), "a coordinate is {}; export the part again", value);
-      }
     }
-    for (int corner = 0; corner < 3; ++corner) {
+    for (int corner = 0; corner < 3; ++corner)
       corners.emplace_back(xyz[3 * corner], xyz[3 * corner + 1], xyz[3 * corner + 2]);
-    }
   }
   context.contents.release();
 

@@ -131,9 +131,8 @@ void ThreemfAssembler::load_documents(const std::string& root) {
       if (!use.document.empty()) pending.push_back(entry_name(use.document));
     };
     for (const ThreemfUse& item : model.items) add_document(item);
-    for (const auto& [id, object] : model.objects) {
+    for (const auto& [id, object] : model.objects)
       for (const ThreemfUse& component : object.components) add_document(component);
-    }
   }
   for (const std::string& extension : extensions) {
     part_.warnings.push_back(
@@ -144,13 +143,11 @@ void ThreemfAssembler::load_documents(const std::string& root) {
 void ThreemfAssembler::add_uses_of_all_objects(ThreemfModel& root) {
   std::set<std::uint64_t> used;
   for (const auto& [id, object] : root.objects) {
-    for (const ThreemfUse& component : object.components) {
+    for (const ThreemfUse& component : object.components)
       if (component.document.empty()) used.insert(component.object);
-    }
   }
-  for (const auto& [id, object] : root.objects) {
+  for (const auto& [id, object] : root.objects)
     if (!used.contains(id)) root.items.push_back({"", id, {}, ""});
-  }
   part_.warnings.push_back("the 3MF file has no build items; all its objects were read");
 }
 
@@ -179,9 +176,8 @@ void ThreemfAssembler::visit(const Visit& visit, std::vector<Visit>& pending) {
     for (glm::dvec3& row : scaled.rows) row *= model.unit_mm / root_unit_mm_;
     add_mesh(object, model.unit_mm == root_unit_mm_ ? to_root : scaled.then(to_root), name);
   }
-  for (auto component = object.components.rbegin(); component != object.components.rend(); ++component) {
+  for (auto component = object.components.rbegin(); component != object.components.rend(); ++component)
     pending.push_back({&*component, document, to_root, name, visit.depth + 1});
-  }
 }
 
 void ThreemfAssembler::add_mesh(const ThreemfObject& object, const ThreemfTransform& transform,
@@ -189,9 +185,8 @@ void ThreemfAssembler::add_mesh(const ThreemfObject& object, const ThreemfTransf
   TriangleMesh& mesh = part_.mesh;
   const std::uint64_t facets = mesh.facets.size() + object.triangles.size();
   context_.check_facet_count(facets);
-  if (part_.bodies.size() == k_max_bodies) {
+  if (part_.bodies.size() == k_max_bodies)
     context_.fail("", "places more than {} bodies; save those that matter", k_max_bodies);
-  }
   if (facets > facets_with_memory_) {
     // Vectors grow by doubling, and welding copies them.
     facets_with_memory_ = 2 * facets;
@@ -199,9 +194,8 @@ void ThreemfAssembler::add_mesh(const ThreemfObject& object, const ThreemfTransf
   }
   context_.progress.report("assembling", 0.5);
   const std::size_t first_vertex = mesh.vertices.size();
-  if (first_vertex + object.vertices.size() > k_max_vertices) {
+  if (first_vertex + object.vertices.size() > k_max_vertices)
     context_.fail("", "holds more than {} vertices; split the part", k_max_vertices);
-  }
   for (const glm::dvec3& vertex : object.vertices) {
     const glm::dvec3 point = transform.apply(vertex);
     if (!is_usable_point(point)) {

@@ -10,12 +10,8 @@
 
 namespace moldlight {
 
-namespace {
-
 /// expat looks at an unfinished tag anew with every chunk, so a tag without end would take quadratic time.
 constexpr std::uint64_t k_max_tag_bytes = std::uint64_t{1} << 20;
-
-}  // namespace
 
 /// What expat calls. C++ exceptions must not pass through it: they are kept and thrown again behind it.
 struct XmlParser::Callbacks {
@@ -50,9 +46,8 @@ struct XmlParser::Callbacks {
 };
 
 std::optional<std::string_view> XmlAttributes::find(std::string_view name) const {
-  for (const char** pair = pairs_; *pair != nullptr; pair += 2) {
+  for (const char** pair = pairs_; *pair != nullptr; pair += 2)
     if (name == pair[0]) return pair[1];
-  }
   return std::nullopt;
 }
 
@@ -82,15 +77,13 @@ void XmlParser::parse(std::string_view text, bool last) {
   if (thrown_) std::rethrow_exception(thrown_);
   const XML_Error error = XML_GetErrorCode(parser_.get());
   if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
-  if (status != XML_STATUS_OK) {
+  if (status != XML_STATUS_OK)
     context_.fail(place(), "is damaged XML ({}); export the part again", XML_ErrorString(error));
-  }
   fed_bytes_ += text.size();
   const auto done =
       static_cast<std::uint64_t>(std::max<XML_Index>(XML_GetCurrentByteIndex(parser_.get()), 0));
-  if (fed_bytes_ - done > k_max_tag_bytes) {
+  if (fed_bytes_ - done > k_max_tag_bytes)
     context_.fail(place(), "holds a tag of more than {} bytes; export the part again", k_max_tag_bytes);
-  }
 }
 
 }  // namespace moldlight

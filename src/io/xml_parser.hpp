@@ -30,8 +30,6 @@ class XmlParser {
   /// `document` names the text in messages.
   XmlParser(const ReadContext& context, std::string document);
   virtual ~XmlParser();
-  XmlParser(const XmlParser&) = delete;
-  XmlParser& operator=(const XmlParser&) = delete;
 
   void feed(std::string_view text) { parse(text, false); }
   void finish() { parse({}, true); }

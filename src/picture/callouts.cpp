@@ -1,6 +1,5 @@
 #include "picture/callouts.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -80,9 +80,8 @@ void draw_row(DesignSpace& at, double base, const SphereRow& row, const Undercut
   const glm::dvec2 swatch = at.place({k_swatch, base - 5.0});
   at.canvas().disc(swatch, 7.0 * at.scale(), {colour});
   at.canvas().ring(swatch, 7.0 * at.scale(), at.inks().normal, 1.0 * at.scale());
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
     at.text({k_direction_right[axis], base}, row.direction[axis], at.figure(Align::right, weight));
-  }
   for (std::size_t k = 0; k < k_sphere_columns; ++k) {
     at.text({k_figure_right[k], base}, row.figures[k],
             k == 0 ? at.figure(Align::right, weight) : at.figure(Align::right));
@@ -92,9 +91,8 @@ void draw_row(DesignSpace& at, double base, const SphereRow& row, const Undercut
 void draw_table(DesignSpace& at, double top, const UndercutField& field, const SphereContent& content) {
   const TextStyle head = at.small(Align::right);
   at.text({k_number_right, top}, "#", head);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
     at.text({k_direction_right[axis], top}, std::string(1, "xyz"[axis]), head);
-  }
   for (std::size_t k = 0; k < k_sphere_columns; ++k)
     at.text({k_figure_right[k], top}, content.headings[k], head);
   const bool tall = content.rows.size() <= k_tall_rows;

@@ -20,15 +20,11 @@ bool is_digit(char32_t letter) { return letter >= U'0' && letter <= U'9'; }
 
 }  // namespace
 
-/// The fonts of one weight, the best first, found through fontconfig: k_font_families in their
-/// order, and what else the system has for letters that these lack. Faces are loaded when they are
-/// first needed.
+/// The fonts of one weight, the best first, found through fontconfig: k_font_families in their order, and
+/// what else the system has for letters that these lack. Faces are loaded when they are first needed.
 class LetterSetter::FontChain {
  public:
   explicit FontChain(FontWeight weight);
-  ~FontChain();
-  FontChain(const FontChain&) = delete;
-  FontChain& operator=(const FontChain&) = delete;
 
   /// The first face that has the letter; the best one if none does. Owned by the chain.
   [[nodiscard]] cairo_font_face_t* face_with(char32_t letter);
@@ -36,44 +32,35 @@ class LetterSetter::FontChain {
  private:
   [[nodiscard]] cairo_font_face_t* face(std::size_t index);
 
-  FcPattern* wanted_;
-  FcFontSet* set_ = nullptr;
-  std::vector<cairo_font_face_t*> faces_;  // of the set, null until needed
+  Owned<FcPattern, FcPatternDestroy> wanted_;
+  Owned<FcFontSet, FcFontSetDestroy> set_;
+  std::vector<Owned<cairo_font_face_t, cairo_font_face_destroy>> faces_;  // of the set, null until needed
 };
 
 LetterSetter::FontChain::FontChain(FontWeight weight) : wanted_(FcPatternCreate()) {
   const auto add = [this](const char* family) {
-    FcPatternAddString(wanted_, FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
+    FcPatternAddString(wanted_.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
   };
   for (const char* family : k_font_families) add(family);
   add("sans-serif");
-  FcPatternAddInteger(wanted_, FC_WEIGHT, k_fontconfig_weights[static_cast<std::size_t>(weight)]);
-  FcPatternAddBool(wanted_, FC_SCALABLE, FcTrue);
-  FcConfigSubstitute(nullptr, wanted_, FcMatchPattern);
-  FcDefaultSubstitute(wanted_);
+  FcPatternAddInteger(wanted_.get(), FC_WEIGHT, k_fontconfig_weights[static_cast<std::size_t>(weight)]);
+  FcPatternAddBool(wanted_.get(), FC_SCALABLE, FcTrue);
+  FcConfigSubstitute(nullptr, wanted_.get(), FcMatchPattern);
+  FcDefaultSubstitute(wanted_.get());
   FcResult result = FcResultNoMatch;
-  set_ = FcFontSort(nullptr, wanted_, FcTrue, nullptr, &result);
-  if (set_ == nullptr || set_->nfont == 0) {
+  set_.reset(FcFontSort(nullptr, wanted_.get(), FcTrue, nullptr, &result));
+  if (set_ == nullptr || set_->nfont == 0)
     throw Error("no font is installed for the text of pictures: install one, such as fonts-dejavu-core");
-  }
-  faces_.resize(static_cast<std::size_t>(set_->nfont), nullptr);
-}
-
-LetterSetter::FontChain::~FontChain() {
-  for (cairo_font_face_t* face : faces_) {
-    if (face != nullptr) cairo_font_face_destroy(face);
-  }
-  FcFontSetDestroy(set_);
-  FcPatternDestroy(wanted_);
+  faces_.resize(static_cast<std::size_t>(set_->nfont));
 }
 
 cairo_font_face_t* LetterSetter::FontChain::face(std::size_t index) {
   if (faces_[index] == nullptr) {
-    FcPattern* font = FcFontRenderPrepare(nullptr, wanted_, set_->fonts[index]);
-    faces_[index] = cairo_ft_font_face_create_for_pattern(font);
-    FcPatternDestroy(font);
+    const Owned<FcPattern, FcPatternDestroy> font(
+        FcFontRenderPrepare(nullptr, wanted_.get(), set_->fonts[index]));
+    faces_[index].reset(cairo_ft_font_face_create_for_pattern(font.get()));
   }
-  return faces_[index];
+  return faces_[index].get();
 }
 
 cairo_font_face_t* LetterSetter::FontChain::face_with(char32_t letter) {
@@ -87,9 +74,7 @@ cairo_font_face_t* LetterSetter::FontChain::face_with(char32_t letter) {
 
 LetterSetter::LetterSetter() = default;
 
-LetterSetter::~LetterSetter() {
-  for (const auto& [key, font] : scaled_) cairo_scaled_font_destroy(font);
-}
+LetterSetter::~LetterSetter() = default;
 
 LetterSetter::Glyph LetterSetter::glyph(char32_t letter, double size_px, FontWeight weight) {
   auto& chain = chains_[static_cast<std::size_t>(weight)];
@@ -100,24 +85,24 @@ LetterSetter::Glyph LetterSetter::glyph(char32_t letter, double size_px, FontWei
     cairo_matrix_t size, identity;
     cairo_matrix_init_scale(&size, size_px, size_px);
     cairo_matrix_init_identity(&identity);
-    cairo_font_options_t* options = cairo_font_options_create();
+    const Owned<cairo_font_options_t, cairo_font_options_destroy> kept(cairo_font_options_create());
+    cairo_font_options_t* const options = kept.get();
     // Neither hints nor whole pixels: letters then stand as drawn at every scale.
     cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
     cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-    font = cairo_scaled_font_create(face, &size, &identity, options);
-    cairo_font_options_destroy(options);
-    CHECK(cairo_scaled_font_status(font) == CAIRO_STATUS_SUCCESS);
+    font.reset(cairo_scaled_font_create(face, &size, &identity, options));
+    CHECK(cairo_scaled_font_status(font.get()) == CAIRO_STATUS_SUCCESS);
   }
   const std::string utf8 = utf8_of({&letter, 1});
   cairo_glyph_t* glyphs = nullptr;
   int count = 0;
-  Glyph result{.font = font};
-  if (cairo_scaled_font_text_to_glyphs(font, 0.0, 0.0, utf8.data(), static_cast<int>(utf8.size()), &glyphs,
-                                       &count, nullptr, nullptr, nullptr) == CAIRO_STATUS_SUCCESS &&
+  Glyph result{.font = font.get()};
+  if (cairo_scaled_font_text_to_glyphs(font.get(), 0.0, 0.0, utf8.data(), static_cast<int>(utf8.size()),
+                                       &glyphs, &count, nullptr, nullptr, nullptr) == CAIRO_STATUS_SUCCESS &&
       count > 0) {
     cairo_text_extents_t extents;
-    cairo_scaled_font_glyph_extents(font, glyphs, 1, &extents);
+    cairo_scaled_font_glyph_extents(font.get(), glyphs, 1, &extents);
     result.number = glyphs[0].index;
     result.advance = extents.x_advance;
   }
@@ -129,9 +114,8 @@ std::vector<SetLetter> LetterSetter::set(std::string_view utf8, double size_px, 
                                          bool tabular) {
   double widest_digit = 0.0;
   if (tabular) {
-    for (char32_t digit = U'0'; digit <= U'9'; ++digit) {
+    for (char32_t digit = U'0'; digit <= U'9'; ++digit)
       widest_digit = std::max(widest_digit, glyph(digit, size_px, weight).advance);
-    }
   }
   std::vector<SetLetter> letters;
   double at = 0.0;

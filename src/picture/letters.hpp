@@ -10,6 +10,7 @@
 
 #include <cairo.h>
 
+#include "base/owned.hpp"
 #include "picture/strokes.hpp"
 
 namespace moldlight {
@@ -26,8 +27,6 @@ class LetterSetter {
  public:
   LetterSetter();
   ~LetterSetter();
-  LetterSetter(const LetterSetter&) = delete;
-  LetterSetter& operator=(const LetterSetter&) = delete;
 
   /// Tabular digits all take the widest digit's room.
   [[nodiscard]] std::vector<SetLetter> set(std::string_view utf8, double size_px, FontWeight weight,
@@ -43,7 +42,8 @@ class LetterSetter {
   [[nodiscard]] Glyph glyph(char32_t letter, double size_px, FontWeight weight);
 
   std::array<std::unique_ptr<FontChain>, 3> chains_;  // by weight
-  std::map<std::pair<cairo_font_face_t*, double>, cairo_scaled_font_t*> scaled_;
+  std::map<std::pair<cairo_font_face_t*, double>, Owned<cairo_scaled_font_t, cairo_scaled_font_destroy>>
+      scaled_;
 };
 
 }  // namespace moldlight

@@ -192,9 +192,8 @@ void draw_marks(Canvas& canvas, const MapPlace& place, const std::vector<SphereM
           0.7 * labelled[k].radius, {k_dark, 0.7}, 1.4 * scale);
     }
   }
-  for (std::size_t k = marks.size(); k-- > 0;) {
+  for (std::size_t k = marks.size(); k-- > 0;)
     if (places[k] && !marks[k].label.empty()) draw_label(canvas, *places[k], marks[k], scale);
-  }
 }
 
 /// Names the axes around the rim and +z in the middle; gives the boxes that this takes.

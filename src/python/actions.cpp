@@ -10,7 +10,6 @@
 
 namespace moldlight::python {
 
-namespace py = pybind11;
 using namespace py::literals;
 
 namespace {
@@ -57,28 +56,25 @@ constexpr std::string_view k_actions_text =
 void add_actions(py::module_& module, PartClass& part) {
   py::class_<PythonActions, SharedActions> found(
       module, "Actions", "Result of part.actions(). Lengths and areas are in the part's unit.");
-  add_members(
-      found,
-      {{"actions",
-        "A dict each, the largest area first: kind, direction, travel, the undercuts that it releases, and "
-        "the rest of the report."},
-       {"undercuts",
-        "A dict each, the largest first: area, depth, where it is, and what to change to do without an "
-        "action.",
-        "/undercuts"},
-       {"verdict", "The verdict: a dict with state, sentence and reasons."},
-       {"unreleased", "Undercuts that nothing releases."},
-       {"optimal", "No cheaper set of the actions that were tried releases as much."},
-       {"warnings", "Why figures are in doubt, a sentence each.", "/part/warnings"}});
+  add_members(found, {{"actions",
+                       "A dict each, the largest area first: kind, direction, travel, the undercuts that it "
+                       "releases, and the rest of the report."},
+                      {"undercuts",
+                       "A dict each, the largest first: area, depth, where it is, and what to change to do "
+                       "without an action.",
+                       "/undercuts"},
+                      {"verdict", "The verdict: a dict with state, sentence and reasons."},
+                      {"unreleased", "Undercuts that nothing releases."},
+                      {"optimal", "No cheaper set of the actions that were tried releases as much."},
+                      {"warnings", "Why figures are in doubt, a sentence each.", "/part/warnings"}});
   found
       .def_property_readonly(
           "direction", [](const PythonActions& self) { return to_python(self.result().direction); },
           "Unit vector.")
       .def("bodies", &bodies_of_actions, py::arg("progress") = py::none(),
            "bodies(self, progress=None)\n--\n\nThe closed solids that the actions move, where the mold is "
-           "closed: "
-           "a dict each with name, action\n(its place in actions), vertices and faces. Some actions have "
-           "none.")
+           "closed: a dict each with name, action\n(its place in actions), vertices and faces. Some actions "
+           "have none.")
       .def("__repr__", [](const PythonActions& self) {
         return py::str(fmt::format("<moldlight.Actions: {}>", actions_text(self.plan())));
       });

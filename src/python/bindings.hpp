@@ -61,13 +61,13 @@ struct PythonPart {
   /// The health report.
   [[nodiscard]] Json json() const;
 };
-using PartClass = pybind11::class_<PythonPart>;
+using PartClass = py::class_<PythonPart>;
 
 /// Part with how it is made and what it is; the others add its methods that ask for work, and the classes of
 /// what these return.
-PartClass add_part(pybind11::module_& module);
+PartClass add_part(py::module_& module);
 /// The file of each of those registers it.
-using AddCall = void (*)(pybind11::module_& module, PartClass& part);
+using AddCall = void (*)(py::module_& module, PartClass& part);
 [[nodiscard]] std::vector<AddCall>& calls();
 struct RegisteredCall {
   explicit RegisteredCall(AddCall add) { calls().push_back(add); }
@@ -88,7 +88,7 @@ struct StudyAnswer {
 };
 
 /// The report's text as the program writes it.
-[[nodiscard]] pybind11::str report_text(const Json& json);
+[[nodiscard]] py::str report_text(const Json& json);
 
 /// to_json() and to_dict(): `what` the command writes with --json, which json() of the object makes.
 template <typename Bound>
@@ -103,7 +103,7 @@ void add_report(Bound& bound, const std::string& what, const std::string& comman
 }
 
 /// What a call for a picture asks for.
-[[nodiscard]] StillSettings picture_settings(const pybind11::kwargs& keywords, pybind11::object& progress);
+[[nodiscard]] StillSettings picture_settings(const py::kwargs& keywords, py::object& progress);
 /// Its docstring, which begins with this text.
 [[nodiscard]] const char* picture_doc(std::string_view text);
 
@@ -122,7 +122,7 @@ void add_members(Bound& bound, std::initializer_list<ReportMember> members) {
         name,
         [at](const Type& self) {
           const auto json = self.json();
-          return json.contains(at) ? to_python(json[at]) : pybind11::object(pybind11::none());
+          return json.contains(at) ? to_python(json[at]) : py::object(py::none());
         },
         help);
   }
@@ -132,8 +132,8 @@ void add_members(Bound& bound, std::initializer_list<ReportMember> members) {
 struct StudyCall {
   const char* name;
   const PythonPart& part;
-  const pybind11::object& direction;
-  const pybind11::kwargs& keywords;
+  const py::object& direction;
+  const py::kwargs& keywords;
 };
 /// The study with all that `find` finds, and its verdict; `take` takes the settings that are the call's own.
 [[nodiscard]] Study study_of(const StudyCall& call, const std::function<void(Given&, Questions&)>& take,
@@ -146,8 +146,8 @@ void add_picture(Bound& bound, std::string_view text, const Draw& draw) {
   using Type = typename Bound::type;
   bound.def(
       "picture",
-      [draw](const Type& self, const pybind11::kwargs& keywords) {
-        pybind11::object progress_given;
+      [draw](const Type& self, const py::kwargs& keywords) {
+        py::object progress_given;
         const StillSettings still = picture_settings(keywords, progress_given);
         validate(still);
         return image_array(

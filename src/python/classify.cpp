@@ -16,8 +16,6 @@
 
 namespace moldlight::python {
 
-namespace py = pybind11;
-
 namespace {
 
 /// moldlight.Classification: what is shown of it does not change; the rest is found when it is asked for.
@@ -177,8 +175,7 @@ void add_split(py::module_& module) {
   py::class_<PythonSplit, std::shared_ptr<PythonSplit>>(
       module, "SplitMesh",
       "The part's mesh, split at the borders of its regions. Neighbours share whole edges, so it is closed "
-      "if "
-      "the part is. The part's own vertices come first.")
+      "if the part is. The part's own vertices come first.")
       .def_property_readonly(
           "vertices",
           [](const py::object& self) { return view(self.cast<const PythonSplit&>().mesh->vertices, self); },
@@ -227,8 +224,8 @@ void add_figures(py::class_<PythonClassification, SharedClassification>& result)
       .def_property_readonly("facet_areas", facet_areas,
                              "m x 4 float64, read only: the area of each region in a facet.")
       .def_property_readonly("face_areas", face_table,
-                             "(numbers, areas): of each face its number and the area of each region, f and "
-                             "f x 4. Faces are those of CAD, else planes and bent walls that facets form.");
+                             "(numbers, areas): of each face its number and the area of each region, f and f "
+                             "x 4. Faces are those of CAD, else planes and bent walls that facets form.");
 }
 
 constexpr std::string_view k_classify_text =
@@ -248,23 +245,21 @@ void add_classify(py::module_& module, PartClass& part) {
   result
       .def("split_mesh", &split_mesh, py::arg("progress") = py::none(),
            "split_mesh(self, progress=None)\n--\n\nThe part's mesh, split at the borders of the exact "
-           "regions: "
-           "a SplitMesh.")
+           "regions: a SplitMesh.")
       .def("__repr__", [](const PythonClassification& self) {
         const Classification& found = self.result();
         return py::str(fmt::format("<moldlight.Classification along {}: undercut {} of {}>",
                                    figures(found.direction, 1.0), figure(found.areas[Region::undercut]),
                                    figure(found.total_area)));
       });
-  add_picture(
-      result,
-      "Draws the part in the colours of its regions: height x width x 4 uint8, red, green, blue,\nalpha, "
-      "rows from above. Needs OpenGL, no display.",
-      [](const PythonClassification& self, const StillSettings& still, const Progress& progress) {
-        const Classification whole = self.with_split(progress);
-        const auto context = create_context(whole.settings.backend);
-        return StillPainter(*context, self.shared_model()).draw(whole, still, progress);
-      });
+  add_picture(result,
+              "Draws the part in the colours of its regions: height x width x 4 uint8, red, green, "
+              "blue,\nalpha, rows from above. Needs OpenGL, no display.",
+              [](const PythonClassification& self, const StillSettings& still, const Progress& progress) {
+                const Classification whole = self.with_split(progress);
+                const auto context = create_context(whole.settings.backend);
+                return StillPainter(*context, self.shared_model()).draw(whole, still, progress);
+              });
   add_report(result, "The report", "classify");
   part.def("classify", &classify, py::arg("direction"),
            call_doc({.name = "classify",

@@ -8,8 +8,6 @@
 
 namespace moldlight::python {
 
-namespace py = pybind11;
-
 namespace {
 
 constexpr std::size_t k_help_width = 92;

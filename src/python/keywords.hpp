@@ -109,7 +109,7 @@ class CallSettings {
 class Given {
  public:
   /// `call` names the call in messages.
-  Given(std::string_view call, const pybind11::kwargs& keywords) : call_(call), keywords_(keywords) {}
+  Given(std::string_view call, const py::kwargs& keywords) : call_(call), keywords_(keywords) {}
 
   /// Sets every option that is given; None leaves the default. Throws UsageError as the option does.
   template <typename S>
@@ -118,19 +118,19 @@ class Given {
   }
   template <typename S>
   void take(const Option<S>& option, S& settings) {
-    const pybind11::object value = take(option.key);
+    const py::object value = take(option.key);
     if (value.is_none()) return;
     set_option(option, settings, value);
   }
   /// The argument of this name, once; None where it is not given.
-  [[nodiscard]] pybind11::object take(std::string_view key);
+  [[nodiscard]] py::object take(std::string_view key);
   [[nodiscard]] bool take_switch(std::string_view key);
   /// Throws a TypeError for an argument that nothing took.
   void end() const;
 
  private:
   template <typename S>
-  static void set_option(const Option<S>& option, S& settings, const pybind11::object& value) {
+  static void set_option(const Option<S>& option, S& settings, const py::object& value) {
     std::string text;
     const std::string_view key = option.key;
     if (std::holds_alternative<DirectionsKind<S>>(option.kind)) {
@@ -147,7 +147,7 @@ class Given {
   }
 
   std::string call_;
-  const pybind11::kwargs& keywords_;
+  const py::kwargs& keywords_;
   std::vector<std::string> taken_;
 };
 
@@ -170,6 +170,6 @@ struct CallText {
 [[nodiscard]] const char* call_doc(const CallText& call);
 
 /// Of moldlight.settings(): a list with a dict a setting.
-[[nodiscard]] pybind11::list settings_list(std::string_view call);
+[[nodiscard]] py::list settings_list(std::string_view call);
 
 }  // namespace moldlight::python

@@ -22,8 +22,6 @@
 
 namespace moldlight::python {
 
-namespace py = pybind11;
-
 namespace {
 
 // Live as long as the interpreter, as its own exceptions do.

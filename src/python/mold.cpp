@@ -14,7 +14,6 @@
 
 namespace moldlight::python {
 
-namespace py = pybind11;
 using namespace py::literals;
 
 namespace {
@@ -89,9 +88,8 @@ void write_line(const PythonMold& self, const py::object& path_given) {
 py::array frame_of(const PythonMold& self) {
   const glm::dmat4 numbers = to_part_of(self.halves());
   py::array_t<double> frame({py::ssize_t{4}, py::ssize_t{4}});
-  for (int column = 0; column < 4; ++column) {
+  for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row) *frame.mutable_data(row, column) = numbers[column][row];
-  }
   return frame;
 }
 
@@ -127,22 +125,19 @@ void add_mold(py::module_& module, PartClass& part) {
       .def_property_readonly(
           "refusal", [](const PythonMold& self) { return with_keywords(self.refusal()); },
           "Why there are no halves; empty if there are halves.")
-      .def_property_readonly(
-          "bodies", bodies_of_mold,
-          "Core, cavity and inserts, as they are written: a dict each with name, vertices, "
-          "faces, volume and closed. Empty where there are none.")
+      .def_property_readonly("bodies", bodies_of_mold,
+                             "Core, cavity and inserts, as they are written: a dict each with name, "
+                             "vertices, faces, volume and closed. Empty where there are none.")
       .def_property_readonly(
           "in_part_frame", [](const PythonMold& self) { return self.written().part_frame; },
           "The bodies are in the part's own coordinates; else the direction is upward, about the part's "
           "centre.")
-      .def_property_readonly(
-          "frame", frame_of,
-          "4 x 4 float64: takes the bodies' coordinates to the part's, whose origin is where it is enlarged "
-          "from for shrinkage.")
+      .def_property_readonly("frame", frame_of,
+                             "4 x 4 float64: takes the bodies' coordinates to the part's, whose origin is "
+                             "where it is enlarged from for shrinkage.")
       .def("write", &write, py::arg("folder"), py::arg("as_3mf") = false,
            "write(self, folder, as_3mf=False)\n--\n\nWrites the bodies to a folder, an STL each, and all of "
-           "them "
-           "to mold.3mf. Returns the files'\nnames. Raises Error where there are no halves to write.")
+           "them to mold.3mf. Returns the files'\nnames. Raises Error where there are no halves to write.")
       .def("__repr__", [](const PythonMold& self) {
         return py::str(fmt::format("<moldlight.Mold: {}>",
                                    parting_verdict(self.assignment(), self.line(), self.model())));

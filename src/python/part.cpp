@@ -20,7 +20,6 @@ namespace moldlight::python {
 template <>
 inline constexpr bool k_bound<HealthReport> = true;
 
-namespace py = pybind11;
 using namespace py::literals;
 
 namespace {

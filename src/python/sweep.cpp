@@ -13,8 +13,6 @@
 
 namespace moldlight::python {
 
-namespace py = pybind11;
-
 namespace {
 
 /// moldlight.Sweep.
@@ -87,21 +85,19 @@ constexpr std::string_view k_sweep_text =
 void add_sweep(py::module_& module, PartClass& part) {
   py::class_<PythonSweep, SharedSweep> found(
       module, "Sweep", "Result of part.sweep(). Lengths and areas are in the part's unit.");
-  add_members(
-      found,
-      {{"candidates",
-        "The listed directions, best first: a dict each, with direction, areas, tilt and the other figures "
-        "of the report."},
-       {"verdict", "The verdict on the best direction: a dict with state, sentence and reasons."},
-       {"proof", "The proof that prove asks for, as a dict; else None."},
-       {"all_free", "The directions that all_free asks for, as a dict; else None."},
-       {"remarks", "Remarks on the directions, a sentence each."},
-       {"complete", "Neither the callback nor a time limit ended it."}});
+  add_members(found,
+              {{"candidates",
+                "The listed directions, best first: a dict each, with direction, areas, tilt and the other "
+                "figures of the report."},
+               {"verdict", "The verdict on the best direction: a dict with state, sentence and reasons."},
+               {"proof", "The proof that prove asks for, as a dict; else None."},
+               {"all_free", "The directions that all_free asks for, as a dict; else None."},
+               {"remarks", "Remarks on the directions, a sentence each."},
+               {"complete", "Neither the callback nor a time limit ended it."}});
   found
-      .def_property_readonly(
-          "best_direction", best,
-          "The recommended direction, with the core on its side; with an objective the first one listed. "
-          "Unit vector, or None.")
+      .def_property_readonly("best_direction", best,
+                             "The recommended direction, with the core on its side; with an objective the "
+                             "first one listed. Unit vector, or None.")
       .def_property_readonly("scored_directions", scored_directions,
                              "k x 3 float64: every direction that was scored.")
       .def_property_readonly(
@@ -113,13 +109,12 @@ void add_sweep(py::module_& module, PartClass& part) {
           [](const PythonSweep& self) { return scored(self, &EvaluatedDirection::undercut_error); },
           "k float64: how far that may be off (95 %).")
       .def("__repr__", [](const PythonSweep& self) { return py::str(text(self)); });
-  add_picture(
-      found,
-      "Draws the undercut over the half-sphere of directions: height x width x 4 uint8. Only size\nand "
-      "theme count. With sweep(thorough=True) every figure of it is scored to the end.",
-      [](const PythonSweep& self, const StillSettings& still, const Progress&) {
-        return sweep_sphere_picture(self.study.model(), self.result(), still);
-      });
+  add_picture(found,
+              "Draws the undercut over the half-sphere of directions: height x width x 4 uint8. Only "
+              "size\nand theme count. With sweep(thorough=True) every figure of it is scored to the end.",
+              [](const PythonSweep& self, const StillSettings& still, const Progress&) {
+                return sweep_sphere_picture(self.study.model(), self.result(), still);
+              });
   add_report(found, "The report", "sweep");
   part.def("sweep", &sweep,
            call_doc({.name = "sweep",

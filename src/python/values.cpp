@@ -14,8 +14,6 @@
 
 namespace moldlight::python {
 
-namespace py = pybind11;
-
 namespace {
 
 /// Longer lists of directions are a mistake, and are not to be copied.
@@ -98,9 +96,8 @@ py::array three_columns(const py::object& given, std::string_view name, std::str
                         std::string_view what) {
   py::array array = py::array::ensure(given);
   if (!array) throw UsageError(fmt::format("{}: not an array of n x 3 {}", name, what));
-  if (array.ndim() != 2 || array.shape(1) != 3) {
+  if (array.ndim() != 2 || array.shape(1) != 3)
     throw UsageError(fmt::format("{}: the array is {}, not n x 3", name, shape_text(array)));
-  }
   // What an empty list becomes says nothing of its numbers.
   if (array.shape(0) == 0) throw UsageError(fmt::format("{}: the array is empty", name));
   if (kinds.find(array.dtype().kind()) == std::string_view::npos) {

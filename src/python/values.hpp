@@ -19,31 +19,33 @@
 
 namespace moldlight::python {
 
+namespace py = pybind11;
+
 // What is no such value is a UsageError that begins with `key`.
 
 /// A number, a bool or text, as the command line takes it.
-[[nodiscard]] std::string value_text(const pybind11::handle& value, std::string_view key);
+[[nodiscard]] std::string value_text(const py::handle& value, std::string_view key);
 /// Words, one or several, separated by commas.
-[[nodiscard]] std::string words_text(const pybind11::handle& value, std::string_view key);
+[[nodiscard]] std::string words_text(const py::handle& value, std::string_view key);
 /// One direction or several, a line each.
-[[nodiscard]] std::string directions_text(const pybind11::handle& value, std::string_view key);
+[[nodiscard]] std::string directions_text(const py::handle& value, std::string_view key);
 /// Three numbers or an axis such as "-y".
-[[nodiscard]] glm::dvec3 direction_of(const pybind11::handle& value, std::string_view key);
+[[nodiscard]] glm::dvec3 direction_of(const py::handle& value, std::string_view key);
 /// A file's name: text, bytes or os.PathLike.
-[[nodiscard]] std::string path_of(const pybind11::handle& value, std::string_view key);
+[[nodiscard]] std::string path_of(const py::handle& value, std::string_view key);
 
 /// Whether the direction that a sweep finds is asked for.
-[[nodiscard]] bool is_best(const pybind11::handle& direction);
+[[nodiscard]] bool is_best(const py::handle& direction);
 
-[[nodiscard]] pybind11::object to_python(const Json& json);
-[[nodiscard]] inline pybind11::tuple to_python(const glm::dvec3& point) {
-  return pybind11::make_tuple(point.x, point.y, point.z);
+[[nodiscard]] py::object to_python(const Json& json);
+[[nodiscard]] inline py::tuple to_python(const glm::dvec3& point) {
+  return py::make_tuple(point.x, point.y, point.z);
 }
 
 /// The mesh of arrays of any layout: `vertices` of n x 3 real or whole numbers, `faces` of m x 3 whole
 /// numbers below n. Throws UsageError that names the first row at fault, FileError where memory is short;
 /// equal vertices are not welded yet.
-[[nodiscard]] TriangleMesh mesh_of(const pybind11::object& vertices, const pybind11::object& faces);
+[[nodiscard]] TriangleMesh mesh_of(const py::object& vertices, const py::object& faces);
 
 /// What an array looks at: rows of `columns` numbers that lie `stride` bytes apart.
 template <typename T>
@@ -55,30 +57,29 @@ struct Rows {
 
 /// An array that cannot be written to; `owner` is a Python object that keeps the numbers.
 template <typename T>
-[[nodiscard]] pybind11::array view(const Rows<T>& rows, const pybind11::handle& owner) {
-  std::vector<pybind11::ssize_t> shape = {static_cast<pybind11::ssize_t>(rows.rows)};
-  std::vector<pybind11::ssize_t> strides = {static_cast<pybind11::ssize_t>(rows.stride)};
+[[nodiscard]] py::array view(const Rows<T>& rows, const py::handle& owner) {
+  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(rows.rows)};
+  std::vector<py::ssize_t> strides = {static_cast<py::ssize_t>(rows.stride)};
   if (rows.columns != 1) {
-    shape.push_back(static_cast<pybind11::ssize_t>(rows.columns));
+    shape.push_back(static_cast<py::ssize_t>(rows.columns));
     strides.push_back(sizeof(T));
   }
-  pybind11::array array(pybind11::dtype::of<T>(), shape, strides, rows.data, owner);
+  py::array array(py::dtype::of<T>(), shape, strides, rows.data, owner);
   array.attr("flags").attr("writeable") = false;
   return array;
 }
 
-[[nodiscard]] inline pybind11::array view(const std::vector<glm::dvec3>& points,
-                                          const pybind11::handle& owner) {
+[[nodiscard]] inline py::array view(const std::vector<glm::dvec3>& points, const py::handle& owner) {
   return view(
       Rows<double>{.data = points.empty() ? nullptr : &points.front().x, .rows = points.size(), .columns = 3},
       owner);
 }
 template <typename T>
-[[nodiscard]] pybind11::array view(const std::vector<T>& numbers, const pybind11::handle& owner) {
+[[nodiscard]] py::array view(const std::vector<T>& numbers, const py::handle& owner) {
   return view(Rows<T>{.data = numbers.data(), .rows = numbers.size()}, owner);
 }
 template <typename T, std::size_t N>
-[[nodiscard]] pybind11::array view(const std::vector<std::array<T, N>>& rows, const pybind11::handle& owner) {
+[[nodiscard]] py::array view(const std::vector<std::array<T, N>>& rows, const py::handle& owner) {
   return view(
       Rows<T>{.data = rows.empty() ? nullptr : rows.front().data(), .rows = rows.size(), .columns = N},
       owner);
@@ -87,21 +88,20 @@ template <typename T, std::size_t N>
 /// Values of the part's facets, in the order in which its file lists them: an array of its own that cannot be
 /// written to.
 template <typename T>
-[[nodiscard]] pybind11::array listed(const std::vector<T>& values, const Part& part) {
+[[nodiscard]] py::array listed(const std::vector<T>& values, const Part& part) {
   const std::vector<FacetIndex> facets = listed_facets(part);
   auto in_order = std::make_unique<std::vector<T>>();
   in_order->reserve(values.size());
   for (const FacetIndex facet : facets) in_order->push_back(values[facet]);
-  const pybind11::capsule owner(in_order.get(),
-                                [](void* kept) { delete static_cast<std::vector<T>*>(kept); });
+  const py::capsule owner(in_order.get(), [](void* kept) { delete static_cast<std::vector<T>*>(kept); });
   return view(*in_order.release(), owner);
 }
 
 /// An array of its own, which may be written to.
-[[nodiscard]] pybind11::array copy_of(const std::vector<glm::dvec3>& points);
+[[nodiscard]] py::array copy_of(const std::vector<glm::dvec3>& points);
 /// (vertices, faces) as arrays of their own.
-[[nodiscard]] pybind11::tuple mesh_arrays(const TriangleMesh& mesh);
+[[nodiscard]] py::tuple mesh_arrays(const TriangleMesh& mesh);
 /// Height x width x 4 bytes, red, green, blue, alpha, rows from above.
-[[nodiscard]] pybind11::array image_array(const Image& image);
+[[nodiscard]] py::array image_array(const Image& image);
 
 }  // namespace moldlight::python

@@ -15,8 +15,6 @@
 
 namespace moldlight::python {
 
-namespace py = pybind11;
-
 namespace {
 
 /// A twentieth of the second within which an interrupt is to end the work.

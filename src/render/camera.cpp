@@ -86,9 +86,8 @@ double pixel_length(const Camera& camera, const glm::ivec2& size) { return camer
 glm::dquat looking_along(const glm::dvec3& forward, const glm::dvec3& up) {
   const glm::dvec3 back = -glm::normalize(forward);
   glm::dvec3 right = glm::cross(up, back);
-  if (glm::length(right) < 1e-6 * glm::length(up)) {
+  if (glm::length(right) < 1e-6 * glm::length(up))
     right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1), back);
-  }
   right = glm::normalize(right);
   return glm::normalize(glm::quat_cast(glm::dmat3(right, glm::cross(back, right), back)));
 }

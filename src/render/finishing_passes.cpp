@@ -5,12 +5,8 @@
 
 namespace moldlight {
 
-namespace {
-
 constexpr float k_veil = 0.22F;  // opacity
 constexpr glm::vec2 k_body_opacity(0.72F, 0.2F);
-
-}  // namespace
 
 void accumulate(ViewTools& tools, bool first) {
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_sum.name(),

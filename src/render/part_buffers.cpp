@@ -52,9 +52,8 @@ PartBuffers::PartBuffers(const gl::Functions& gl, const PartShape& shape)
 
   std::vector<EdgeInstance> instances;
   instances.reserve(concave_edge_count_);
-  for (const FacetEdge& edge : shape.concave_edges) {
+  for (const FacetEdge& edge : shape.concave_edges)
     instances.push_back({unit[edge.a], unit[edge.b], {edge.left, edge.right}});
-  }
   edges_ = gl::make_vertex_array(gl);
   gl.BindVertexArray(edges_.name());
   edge_buffer_ = gl::make_buffer(gl, GL_ARRAY_BUFFER, std::span<const EdgeInstance>(instances));

@@ -166,9 +166,8 @@ std::vector<std::uint8_t> FacetIdPass::run(const MapSubject& subject, const floa
       const int count = std::min(k_rows_read_at_once, size - row);
       gl_->ReadPixels(0, row, size, count, GL_RED_INTEGER, GL_UNSIGNED_INT, rows.data());
       const std::size_t pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(count);
-      for (std::size_t i = 0; i < pixels; ++i) {
+      for (std::size_t i = 0; i < pixels; ++i)
         if (rows[i] != 0) bits[rows[i] - 1] = static_cast<std::uint8_t>(bits[rows[i] - 1] | bit);
-      }
     }
   }
   gl::check_errors(*gl_, "reading facet numbers back");

@@ -113,9 +113,8 @@ ViewGeometry view_geometry(const TriangleMesh& mesh, const FacetGeometry& geomet
   ViewGeometry view;
   SmoothCorners smooth = smooth_corners(mesh, geometry, adjacency);
   view.vertices.reserve(smooth.source.size());
-  for (std::size_t i = 0; i < smooth.source.size(); ++i) {
+  for (std::size_t i = 0; i < smooth.source.size(); ++i)
     view.vertices.push_back({frame.to_unit(mesh.vertices[smooth.source[i]]), octahedral(smooth.normals[i])});
-  }
   view.facets = std::move(smooth.of_facet);
   for (const EdgeEnds& edge : crease_edges(mesh, geometry, adjacency)) {
     view.feature_edges.push_back(
@@ -124,15 +123,13 @@ ViewGeometry view_geometry(const TriangleMesh& mesh, const FacetGeometry& geomet
   view.extremes = extreme_vertices(view.vertices);
   view.closed = true;
   for (FacetIndex facet = 0; facet < mesh.facets.size() && view.closed; ++facet) {
-    for (const FacetIndex across : adjacency.across[facet]) {
+    for (const FacetIndex across : adjacency.across[facet])
       if (across == k_no_facet && geometry.areas[facet] > 0.0) view.closed = false;
-    }
   }
   const std::vector<bool> solid = solid_facets(mesh, adjacency);
   view.all_solid = std::ranges::find(solid, false) == solid.end();
-  for (FacetIndex facet = 0; facet < solid.size() && !view.all_solid; ++facet) {
+  for (FacetIndex facet = 0; facet < solid.size() && !view.all_solid; ++facet)
     if (solid[facet]) view.solids.push_back(view.facets[facet]);
-  }
   return view;
 }
 

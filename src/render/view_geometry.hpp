@@ -14,7 +14,6 @@
 #include "mesh/facet_geometry.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/unit_frame.hpp"
-#include "mold/draft.hpp"
 #include "mold/exact/split_mesh.hpp"
 #include "mold/region.hpp"
 #include "render/view_settings.hpp"

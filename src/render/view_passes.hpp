@@ -41,9 +41,8 @@ void present(ViewTools& tools, int samples, GLuint framebuffer);
 /// Over the finished picture, the surface that is marked.
 void draw_marks(ViewTools& tools, const ViewMarks& marks, GLuint framebuffer);
 /// And surface that is marked, where other surface hides it; not in an opened mold, whose pieces are
-/// elsewhere.
-/// Body k stands where `motions[k]` (unit frame) moves it from where it was made; those without one are not
-/// drawn.
+/// elsewhere. Body k stands where `motions[k]` (unit frame) moves it from where it was made; those without
+/// one are not drawn.
 void draw_bodies(ViewTools& tools, const ViewFrame& frame, std::span<const glm::dmat4> motions,
                  GLuint framebuffer);
 void draw_veil(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer);

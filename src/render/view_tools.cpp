@@ -17,22 +17,11 @@ ViewTargets::ViewTargets(const gl::Functions& gl, const glm::ivec2& wanted) : si
   to_openness = gl::make_framebuffer(gl, openness);
 }
 
-void ViewTargets::make_sum(const gl::Functions& gl) {
-  if (sum) return;
-  sum = gl::make_texture_2d(gl, GL_RGBA32F, size.x, size.y);
-  to_sum = gl::make_framebuffer(gl, sum);
-}
-
-void ViewTargets::make_winding(const gl::Functions& gl) {
-  if (winding) return;
-  winding = gl::make_texture_2d(gl, GL_R16F, size.x, size.y);
-  to_winding = gl::make_framebuffer(gl, winding);
-}
-
-void ViewTargets::make_tube(const gl::Functions& gl) {
-  if (tube) return;
-  tube = gl::make_texture_2d(gl, GL_RGBA8, size.x, size.y);
-  to_tube = gl::make_framebuffer(gl, tube);
+void ViewTargets::make(const gl::Functions& gl, GLenum format, gl::Texture& texture,
+                       gl::Framebuffer& framebuffer) const {
+  if (texture) return;
+  texture = gl::make_texture_2d(gl, format, size.x, size.y);
+  framebuffer = gl::make_framebuffer(gl, texture);
 }
 
 void ViewTargets::keep_first(const gl::Functions& gl) {

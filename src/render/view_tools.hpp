@@ -20,9 +20,9 @@ struct ViewTargets {
   ViewTargets() = default;
   ViewTargets(const gl::Functions& gl, const glm::ivec2& size);
   /// Each makes what pictures at rest, sections, or tubes alone need, unless it is there already.
-  void make_sum(const gl::Functions& gl);
-  void make_winding(const gl::Functions& gl);
-  void make_tube(const gl::Functions& gl);
+  void make_sum(const gl::Functions& gl) { make(gl, GL_RGBA32F, sum, to_sum); }
+  void make_winding(const gl::Functions& gl) { make(gl, GL_R16F, winding, to_winding); }
+  void make_tube(const gl::Functions& gl) { make(gl, GL_RGBA8, tube, to_tube); }
   /// Copies what the first sample shows of the surface.
   void keep_first(const gl::Functions& gl);
 
@@ -42,6 +42,9 @@ struct ViewTargets {
   /// Surface and accessibility bits of the first sample, whose lines of sight go through the pixels' middles.
   gl::Texture first_surface, first_depth, first_accessible;
   gl::Framebuffer to_first_surface, to_first_accessible;  // surface with depth
+
+ private:
+  void make(const gl::Functions& gl, GLenum format, gl::Texture& texture, gl::Framebuffer& framebuffer) const;
 };
 
 /// Valid for one context.

@@ -149,16 +149,14 @@ std::string to_html(const DraftBars& bars) {
     }
     html += fmt::format(
         "<rect class=\"hover\" x=\"{:.2f}\" y=\"{}\" width=\"{:.2f}\" height=\"{}\"><title>{:g} to {:g}°: "
-        "core "
-        "{:.4g}, cavity {:.4g} {}</title></rect>\n",
+        "core {:.4g}, cavity {:.4g} {}</title></rect>\n",
         left, k_top, width, k_foot - k_top, bar.from_deg, bar.to_deg, bar.core, bar.cavity,
         html_text(bars.unit));
   }
   html += fmt::format("<path class=\"axis\" d=\"M{} {}H{}\"/>", k_side, k_foot, k_width - k_side);
   if (bars.required_deg && *bars.required_deg >= from && *bars.required_deg <= to)
     html += fmt::format(
-        "<path class=\"limit\" d=\"M{0:.2f} {1}V{2}\"/><text x=\"{3:.2f}\" y=\"{4}\">{5:g}° "
-        "asked for</text>",
+        "<path class=\"limit\" d=\"M{0:.2f} {1}V{2}\"/><text x=\"{3:.2f}\" y=\"{4}\">{5:g}° asked for</text>",
         place(*bars.required_deg), k_top - 6.0, k_foot, place(*bars.required_deg) + 6.0, k_top + 4.0,
         *bars.required_deg);
   for (double deg = std::ceil(from / 5.0) * 5.0; deg <= to; deg += 5.0)
@@ -241,8 +239,8 @@ std::string view_html(const Report& report) {
   if (report.view) {
     html +=
         "<canvas tabindex=\"0\" hidden aria-label=\"The part in three dimensions: drag or arrow keys turn "
-        "it, the wheel zooms once it is clicked\"></canvas>"
-        "<div class=\"tags\" hidden><span>+d · core</span><span>−d · cavity</span>";
+        "it, the wheel zooms once it is clicked\"></canvas><div class=\"tags\" hidden><span>+d · "
+        "core</span><span>−d · cavity</span>";
     for (const ViewCallout& callout : report.view->callouts)
       html += fmt::format("<span class=\"number\">{}</span>", html_text(callout.text));
     html += "</div>";

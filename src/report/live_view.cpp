@@ -1,7 +1,6 @@
 #include "report/live_view.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 
 #include <fmt/format.h>
@@ -10,7 +9,7 @@
 #include "classify/classify_report.hpp"
 #include "gl/shader_text.hpp"
 #include "page/page.hpp"
-#include "report/packed_bytes.hpp"
+#include "report/model_view.hpp"
 
 namespace moldlight::report {
 
@@ -130,8 +129,7 @@ std::string live_controls_html(const LiveView& live) {
   }
   html +=
       "<label>direction <input id=\"direction\" spellcheck=\"false\" autocomplete=\"off\" "
-      "aria-label=\"Direction: x, y, "
-      "z\"></label>\n</div>\n";
+      "aria-label=\"Direction: x, y, z\"></label>\n</div>\n";
   if (live.known.size() > 1 || !live.known.front().verdict.empty()) {
     html += "<div class=\"cards\">\n";
     for (std::size_t k = 0; k < live.known.size(); ++k) {
@@ -150,22 +148,15 @@ std::string live_controls_html(const LiveView& live) {
   html += fmt::format(
       "<details class=\"settings\"><summary>Shadow maps</summary><div class=\"controls\">\n"
       "<label><span>Near-vertical below <output id=\"tau-is\">{0}</output>°</span><input id=\"tau\" "
-      "type=\"range\" min=\"0\" max=\"10\" "
-      "step=\"0.1\" "
-      "value=\"{0}\"></label>\n"
-      "<label>PCF kernel<select id=\"kernel\"><option value=\"0\">lateral tolerance of the report</option>"
-      "<option value=\"3\">3 texels</option><option value=\"5\">5 texels</option><option value=\"7\">7 "
-      "texels</option>"
-      "<option value=\"9\">9 texels</option></select></label>\n"
+      "type=\"range\" min=\"0\" max=\"10\" step=\"0.1\" value=\"{0}\"></label>\n"
+      "<label>PCF kernel<select id=\"kernel\"><option value=\"0\">lateral tolerance of the "
+      "report</option><option value=\"3\">3 texels</option><option value=\"5\">5 texels</option><option "
+      "value=\"7\">7 texels</option><option value=\"9\">9 texels</option></select></label>\n"
       "<label><span>Edge thickness <output id=\"thickness-is\">{1}</output> texels</span><input "
-      "id=\"thickness\" "
-      "type=\"range\" min=\"0\" max=\"8\" "
-      "step=\"0.5\" "
-      "value=\"{1}\"></label>\n"
+      "id=\"thickness\" type=\"range\" min=\"0\" max=\"8\" step=\"0.5\" value=\"{1}\"></label>\n"
       "<label>Map resolution<select id=\"resolution\">{2}</select></label>\n"
       "<label class=\"check\"><span><input id=\"bymaps\" type=\"checkbox\"> maps along the report's "
-      "direction, "
-      "too</span></label>\n</div></details>\n<p id=\"picked\" role=\"status\"></p>\n</div>\n",
+      "direction, too</span></label>\n</div></details>\n<p id=\"picked\" role=\"status\"></p>\n</div>\n",
       live.method.tau_deg, live.method.edge_thickness, sizes);
   return html;
 }

@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include <nlohmann/json.hpp>
+#include <zlib.h>
 
 #include "base/check.hpp"
 #include "classify/classify_report.hpp"
-#include "report/packed_bytes.hpp"
+#include "page/page.hpp"
 
 namespace moldlight::report {
 
@@ -74,6 +75,32 @@ Json group_json(const ViewGroup& group, const glm::dvec3& centre) {
 
 }  // namespace
 
+std::string PackedBytes::deflated_base64() const {
+  uLongf size = compressBound(static_cast<uLong>(bytes_.size()));
+  std::string out(size, '\0');
+  CHECK(compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes_.data()),
+                  static_cast<uLong>(bytes_.size()), Z_BEST_COMPRESSION) == Z_OK);
+  out.resize(size);
+  return page::base64(out);
+}
+
+std::vector<VertexIndex> pack_corners(const TriangleMesh& mesh, PackedBytes& bytes) {
+  constexpr std::uint32_t k_unused = ~0U;
+  std::vector<std::uint32_t> number(mesh.vertices.size(), k_unused);
+  std::vector<VertexIndex> order;
+  for (const auto& facet : mesh.facets) {
+    for (const VertexIndex corner : facet) {
+      const auto next = static_cast<std::uint32_t>(order.size());
+      if (number[corner] == k_unused) {
+        number[corner] = next;
+        order.push_back(corner);
+      }
+      bytes.add(next - number[corner]);
+    }
+  }
+  return order;
+}
+
 Json packed(const ModelView& view) {
   Json json;
   json["groups"] = Json::array();
@@ -91,9 +118,8 @@ Json packed(const ModelView& view) {
   for (const ViewSurface& surface : view.surfaces)
     json["surfaces"].push_back(pack_surface(surface, view.centre, bytes));
   Bounds box;
-  for (const ViewLine& line : view.lines) {
+  for (const ViewLine& line : view.lines)
     for (const glm::dvec3& point : line.points) box.add(point);
-  }
   json["lines"] = Json::array();
   if (!view.lines.empty()) {
     json["lines_low"] = point_json(box.min - view.centre);

@@ -125,9 +125,8 @@ std::string to_text(const Report& report, const TerminalStyle& style) {
   fmt::format_to(std::back_inserter(text), "\n{}{}{}\n", report.part, report.subject.empty() ? "" : " ",
                  with_hyphens(report.subject));
   const TextWriter writer(style);
-  for (const Section& section : report.sections) {
+  for (const Section& section : report.sections)
     if (!section.pages_only) text += writer.section(section);
-  }
   return text;
 }
 

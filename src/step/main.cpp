@@ -1,21 +1,26 @@
 // moldlight-step: reads one STEP file for moldlight from descriptor 4 and writes the facets to descriptor 3.
 // Not meant to be run by hand.
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <istream>
+#include <new>
 #include <string>
+#include <string_view>
 
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
 #include <ext/stdio_filebuf.h>
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include "io/step_result.hpp"
-#include "step/limits.hpp"
+#include "step/sandbox.hpp"
 #include "step/tessellation.hpp"
 
 namespace {
@@ -23,6 +28,44 @@ namespace {
 using moldlight::StepResult;
 
 constexpr std::size_t k_buffer_bytes = std::size_t{1} << 16;
+// More than what OpenCASCADE asks for at a time.
+constexpr std::uint64_t k_margin_bytes = std::uint64_t{32} << 20;
+constexpr std::uint64_t k_margin_divisor = 16;  // and that part of the limit
+
+/// /proc/self/status, opened while files still may be.
+int open_status = -1;
+
+std::uint64_t peak_address_space() {
+  std::array<char, 4096> text{};
+  const ssize_t got = ::pread(open_status, text.data(), text.size() - 1, 0);
+  const std::string_view lines(text.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+  constexpr std::string_view k_peak = "VmPeak:";
+  const std::size_t at = lines.find(k_peak);
+  return at == std::string_view::npos ? 0
+                                      : 1024 * std::strtoull(lines.data() + at + k_peak.size(), nullptr, 10);
+}
+
+/// Limits the address space, but never raises a limit that is there, and opens what memory_ran_short() reads.
+/// `refused` is called where an allocation in C++ fails, and must not return.
+void limit_memory([[maybe_unused]] std::uint64_t bytes, void (*refused)()) {
+  std::set_new_handler(refused);
+  open_status = ::open("/proc/self/status", O_RDONLY | O_CLOEXEC);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  rlimit limit = {};
+  // The superuser could raise what the caller has set.
+  if (::getrlimit(RLIMIT_AS, &limit) == 0) bytes = std::min({bytes, limit.rlim_cur, limit.rlim_max});
+  limit = {bytes, bytes};
+  static_cast<void>(::setrlimit(RLIMIT_AS, &limit));
+#endif
+}
+
+/// True where the address space was nearly used up at some time. OpenCASCADE passes over many an allocation
+/// that fails and leaves out the faces it was for.
+bool memory_ran_short() {
+  rlimit limit = {};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
+  return peak_address_space() + k_margin_bytes + limit.rlim_cur / k_margin_divisor > limit.rlim_cur;
+}
 
 StepResult failed(const std::string& sentence) {
   StepResult result;
@@ -85,12 +128,12 @@ int main(int argc, char** argv) {
   const rlimit no_core_file = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core_file);
   no_memory_left();
-  moldlight::step::limit_memory(std::strtoull(argv[4], nullptr, 10), end_without_memory);
+  limit_memory(std::strtoull(argv[4], nullptr, 10), end_without_memory);
   moldlight::step::TessellationSettings settings;
   settings.linear_deflection = std::strtod(argv[1], nullptr);
   settings.angular_deflection_deg = std::strtod(argv[2], nullptr);
   settings.max_facets = std::strtoull(argv[3], nullptr, 10);
   const StepResult result = read(settings);
-  if (moldlight::step::memory_ran_short()) end_without_memory();
+  if (memory_ran_short()) end_without_memory();
   hand_back(result.to_bytes());
 }

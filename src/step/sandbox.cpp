@@ -1,14 +1,13 @@
+#include "step/sandbox.hpp"
+
 #include <cstring>
 #include <memory>
 
 #include <seccomp.h>
 
 #include "io/step_result.hpp"
-#include "step/limits.hpp"
 
 namespace moldlight::step {
-
-namespace {
 
 /// Memory, time and the end; nothing that names a file, an address or a process.
 constexpr int k_allowed[] = {
@@ -19,8 +18,6 @@ constexpr int k_allowed[] = {
     SCMP_SYS(times),       SCMP_SYS(getrandom),     SCMP_SYS(sched_yield),  SCMP_SYS(getpid),
     SCMP_SYS(gettid),      SCMP_SYS(rt_sigaction),  SCMP_SYS(rt_sigreturn), SCMP_SYS(rt_sigprocmask),
     SCMP_SYS(sigaltstack), SCMP_SYS(exit),          SCMP_SYS(exit_group)};
-
-}  // namespace
 
 std::string give_up_rights() {
   const auto failed = [](const char* what, int error) {

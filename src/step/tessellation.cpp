@@ -45,8 +45,7 @@
 #include <XSControl_WorkSession.hxx>
 
 #include "mesh/length_unit.hpp"
-#include "step/face_colours.hpp"
-#include "step/placements.hpp"
+#include "step/entities.hpp"
 
 namespace moldlight::step {
 
@@ -106,9 +105,8 @@ std::string product_name(const STEPControl_Reader& reader, const Handle(Standard
     Interface_EntityIterator users = graph.Sharings(visited[next]);
     for (users.Start(); users.More(); users.Next()) {
       const Handle(Standard_Transient)& user = users.Value();
-      if (const auto link = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(user); !link.IsNull()) {
+      if (const auto link = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(user); !link.IsNull())
         return product_name(link);
-      }
       if (user->IsKind(STANDARD_TYPE(StepRepr_Representation))) visit(user);
       const auto relation = Handle(StepRepr_RepresentationRelationship)::DownCast(user);
       if (relation.IsNull() ||
@@ -175,12 +173,10 @@ std::size_t count_faulty(const STEPControl_Reader& reader, Interface_CheckIterat
 std::vector<TopoDS_Shape> bodies_of(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> bodies;
   for (TopExp_Explorer walk(shape, TopAbs_SOLID); walk.More(); walk.Next()) bodies.push_back(walk.Current());
-  for (TopExp_Explorer walk(shape, TopAbs_SHELL, TopAbs_SOLID); walk.More(); walk.Next()) {
+  for (TopExp_Explorer walk(shape, TopAbs_SHELL, TopAbs_SOLID); walk.More(); walk.Next())
     bodies.push_back(walk.Current());
-  }
-  for (TopExp_Explorer walk(shape, TopAbs_FACE, TopAbs_SHELL); walk.More(); walk.Next()) {
+  for (TopExp_Explorer walk(shape, TopAbs_FACE, TopAbs_SHELL); walk.More(); walk.Next())
     bodies.push_back(walk.Current());
-  }
   return bodies;
 }
 

@@ -82,9 +82,8 @@ std::shared_ptr<const UndercutTotals> Asked<UndercutTotals>::find(Study& study, 
                                            progress, least_travel_mm)));
   const FacetFractions& fractions = study.find<Classification>(progress).facet_fractions;
   std::vector<FacetIndex> facets;
-  for (FacetIndex facet = 0; facet < fractions.size(); ++facet) {
+  for (FacetIndex facet = 0; facet < fractions.size(); ++facet)
     if (fractions[facet][static_cast<std::size_t>(Region::undercut)] > 0.0) facets.push_back(facet);
-  }
   return shared(count_undercuts(model, {.query = query, .facets = facets, .least_travel_mm = least_travel_mm},
                                 progress));
 }

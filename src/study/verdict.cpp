@@ -43,9 +43,8 @@ std::string near_text(const PartModel& model, EdgeDefect defect) {
 /// At the first facet that another one crosses.
 std::string near_crossing(const PartModel& model) {
   const ExactPart& exact = model.exact(Progress());
-  for (FacetIndex facet = 0; exact.any_crossings() && facet < model.part.mesh.facets.size(); ++facet) {
+  for (FacetIndex facet = 0; exact.any_crossings() && facet < model.part.mesh.facets.size(); ++facet)
     if (!exact.crossings(facet).empty()) return ", " + near_text(model, model.part.mesh.corner(facet, 0));
-  }
   return {};
 }
 
@@ -180,9 +179,8 @@ class Judge {
         std::ranges::count_if(plan.actions, [](const SideAction& action) { return !action.meets.empty(); });
     std::string voids;
     std::size_t count = 0;
-    for (std::size_t k = 0; k < plan.undercuts.size(); ++k) {
+    for (std::size_t k = 0; k < plan.undercuts.size(); ++k)
       if (plan.undercuts[k].closed_void) voids += fmt::format("{}{}", ++count > 1 ? ", " : "", k + 1);
-    }
     if (count > 0)
       add(fmt::format("{} {} {}, which no mold forms. Fill {}, or open {} to the outside.",
                       count == 1 ? "Undercut" : "Undercuts", voids,

@@ -18,7 +18,7 @@
 #include "classify/part_model.hpp"
 #include "mold/surface_samples.hpp"
 #include "render/readout_passes.hpp"
-#include "report/describe/live.hpp"
+#include "report/describe/parts.hpp"
 #include "report/live_view.hpp"
 #include "support/browser.hpp"
 #include "support/classify_mesh.hpp"

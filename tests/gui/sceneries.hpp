@@ -172,8 +172,8 @@ class WindowSceneries : public WindowWithPart {
     if ((!above && !on_top) || own || each->RootWindow != each || !each->Active || each->Hidden ||
         (each->Flags & ImGuiWindowFlags_NoBackground) != 0)
       continue;
-    const glm::vec2 corner = from_im(each->Pos);
-    const glm::vec2 common = overlap(shown(text), {corner, corner + from_im(each->Size)});
+    const glm::vec2 corner = each->Pos, size = each->Size;
+    const glm::vec2 common = overlap(shown(text), {corner, corner + size});
     if (common.x > 1.0F && common.y > 1.0F) windows.push_back(each);
   }
   return windows;

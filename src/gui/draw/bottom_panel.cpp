@@ -6,13 +6,9 @@
 
 namespace moldlight::gui {
 
-namespace {
-
 constexpr float k_item_gap = 4.0F, k_bar_gap = 6.0F;  // between items, layout units
 constexpr float k_heading_height = 20.0F;             // layout units
 constexpr float k_fewest_rows = 2.0F;
-
-}  // namespace
 
 BottomHeader::BottomHeader(const Ui& ui, const char* name)
     : ui_(ui),
@@ -102,7 +98,7 @@ std::optional<std::size_t> RowCursor::follow(const Ui& ui, std::string_view id, 
 std::optional<std::size_t> draw_list(const Ui& ui, const RowList& list, RowCursor& cursor,
                                      const std::function<void(std::size_t)>& draw_row) {
   if (list.count == 0) return std::nullopt;
-  const float row = ui.px(list.row_height), room = list.share * ImGui::GetIO().DisplaySize.y;
+  const float row = ui.px(list.row_height), room = list.share * screen_size().y;
   const float fits = std::max(std::floor(room / row), k_fewest_rows);
   const float height = std::min(fits, static_cast<float>(list.count)) * row;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
@@ -111,9 +107,8 @@ std::optional<std::size_t> draw_list(const Ui& ui, const RowList& list, RowCurso
   cursor.scroll(row, height);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(list.count), row);
-  while (clipper.Step()) {
+  while (clipper.Step())
     for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) draw_row(static_cast<std::size_t>(k));
-  }
   ImGui::EndChild();
   const auto pressed = cursor.follow(ui, list.id, static_cast<std::size_t>(fits), list.count);
   ImGui::PopStyleVar();
@@ -125,12 +120,11 @@ Row list_row(const Ui& ui, const RowSpec& spec) {
   const float width = room_left(), height = ui.px(spec.height);
   Row row{.box = {start, start + glm::vec2(width, height)}};
   row.clicked = ImGui::InvisibleButton(spec.id, ImVec2(width - ui.px(spec.beside), height));
-  ui.memory->controls[spec.id] = {row.box.min, from_im(ImGui::GetItemRectMax())};
+  ui.memory->controls[spec.id] = item_box();
   ImDrawList& list = window_list();
   if (spec.chosen || ImGui::IsItemHovered())
     fill(list, row.box, spec.chosen ? ui.colours->field_active : ui.colours->field, ui.px(6));
-  if (spec.marked)
-    list.AddRect(im(row.box.min), im(row.box.max), ui.colours->accent, ui.px(6), 0, 1.5F * ui.scale);
+  if (spec.marked) list.AddRect(row.box.min, row.box.max, ui.colours->accent, ui.px(6), 0, 1.5F * ui.scale);
   return row;
 }
 

@@ -82,8 +82,8 @@ void draw_teeth(ImDrawList& list, const glm::vec2& centre, float half, ImU32 col
   for (int tooth = 0; tooth < 8; ++tooth) {
     const float angle = static_cast<float>(tooth) * glm::pi<float>() / 4.0F;
     const glm::vec2 out(std::cos(angle), std::sin(angle));
-    list.PathLineTo(im(centre + out * 0.62F * half));
-    list.PathLineTo(im(centre + out * 0.86F * half));
+    list.PathLineTo(centre + out * 0.62F * half);
+    list.PathLineTo(centre + out * 0.86F * half);
     list.PathStroke(colour, ImDrawFlags_None, width);
   }
 }
@@ -95,7 +95,7 @@ void draw_icon(ImDrawList& list, Icon icon, const glm::vec2& centre, float size,
   const float half = 0.5F * size, width = std::max(1.0F, size * 0.085F), rad = glm::pi<float>() / 180.0F;
   for (const IconStroke& stroke : strokes()) {
     if (stroke.icon != icon) continue;
-    const auto at = [&](std::size_t k) { return im(centre + stroke.points[k] * half); };
+    const auto at = [&](std::size_t k) { return centre + stroke.points[k] * half; };
     const auto& points = stroke.points;
     if (stroke.shape == Shape::circle) {
       list.AddCircle(at(0), points[1].x * half, colour, 0, width);

@@ -10,7 +10,7 @@ namespace moldlight::gui {
 bool begin_dialog(const Ui& ui, const char* name, const glm::vec2& size) {
   const glm::vec2 window = screen_size();
   place_window(glm::vec2(0.0F), glm::vec2(0.0F));
-  ImGui::SetNextWindowSize(im(window));
+  ImGui::SetNextWindowSize(window);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->scrim);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
   ImGui::Begin("Scrim", nullptr, k_fixed_window);
@@ -22,9 +22,9 @@ bool begin_dialog(const Ui& ui, const char* name, const glm::vec2& size) {
   place_window(0.5F * window, glm::vec2(0.5F));
   const glm::vec2 most = window - glm::vec2(ui.px(16));
   if (size.y > 0.0F) {
-    ImGui::SetNextWindowSize(im(glm::min(size, most)));
+    ImGui::SetNextWindowSize(glm::min(size, most));
   } else {
-    ImGui::SetNextWindowSizeConstraints(ImVec2(size.x, 0.0F), im(most));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(size.x, 0.0F), most);
   }
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->popup);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(14)));
@@ -47,7 +47,7 @@ bool begin_tooltip(const Ui& ui) {
   constexpr double k_rest_s = 0.5;
   if (!ImGui::IsItemHovered() || ImGui::IsAnyMouseDown()) return false;
   UiMemory& memory = *ui.memory;
-  const glm::vec2 corner = from_im(ImGui::GetItemRectMin());
+  const glm::vec2 corner = item_box().min;
   const auto item = static_cast<ImGuiID>(static_cast<int>(corner.x) * 8192 + static_cast<int>(corner.y) + 1);
   if (item != memory.resting_on) {
     memory.resting_on = item;
@@ -78,8 +78,7 @@ void tooltip(const Ui& ui, std::string_view title, std::string_view text) {
 
 void open_popup_below_item(const Ui& ui, const char* id) {
   const glm::vec2 gap(0.0F, ui.px(4));
-  ui.memory->popups.open(ImGui::GetID(id),
-                         {from_im(ImGui::GetItemRectMin()) - gap, from_im(ImGui::GetItemRectMax()) + gap});
+  ui.memory->popups.open(ImGui::GetID(id), {item_box().min - gap, item_box().max + gap});
 }
 
 void open_popup_at_mouse(const Ui& ui, const char* id) {
@@ -106,8 +105,7 @@ bool begin_popup(const Ui& ui, const char* id, float width) {
                k_fixed_window | ImGuiWindowFlags_AlwaysAutoResize);
   ImGui::PopStyleVar(3);
   ImGui::PopStyleColor();
-  const glm::vec2 corner = from_im(ImGui::GetWindowPos());
-  open.box = {corner, corner + from_im(ImGui::GetWindowSize())};
+  open.box = window_box();
   ui.memory->keyboard.enter_layer();
   ui.memory->keyboard.enter_layer();  // above the dialogs, too
   return true;

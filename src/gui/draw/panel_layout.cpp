@@ -103,7 +103,7 @@ void PanelLayout::begin_frame(const glm::ivec2& size, float scale) {
     // What was not drawn there any more takes no room from those on the sides.
     if (each.bottom && !each.drawn) {
       each.bottom = false;
-      each.min = each.max = glm::vec2(0.0F);
+      each.box = {};
     }
     each.drawn = false;
   }
@@ -112,8 +112,8 @@ void PanelLayout::begin_frame(const glm::ivec2& size, float scale) {
 float PanelLayout::floor_at(const Ui& ui, float x, float y) const {
   float floor = static_cast<float>(size_.y), titles = 0.0F;
   for (const Panel& other : panels_) {
-    if (other.min.x >= x + ui.px(k_panel_width) || x >= other.max.x) continue;
-    if (other.bottom) floor = std::min(floor, other.min.y);
+    if (other.box.min.x >= x + ui.px(k_panel_width) || x >= other.box.max.x) continue;
+    if (other.bottom) floor = std::min(floor, other.box.min.y);
     if (!other.bottom && other.place.offset.y > y) titles += ui.px(k_title_height) + ui.px(8);
   }
   return floor - titles - ui.px(8);
@@ -130,9 +130,9 @@ glm::vec2 PanelLayout::corner_of(const Ui& ui, const Panel& each) const {
   at = glm::clamp(at, glm::vec2(0.0F), glm::max(farthest, glm::vec2(0.0F)));
   for (const Panel& other : panels_) {
     const bool above = &other != &each && other.drawn && !other.bottom &&
-                       other.place.offset.y < each.place.offset.y && other.min.x < at.x + width &&
-                       at.x < other.max.x;
-    if (above) at.y = std::max(at.y, other.max.y + gap);
+                       other.place.offset.y < each.place.offset.y && other.box.min.x < at.x + width &&
+                       at.x < other.box.max.x;
+    if (above) at.y = std::max(at.y, other.box.max.y + gap);
   }
   return glm::round(at);
 }
@@ -143,18 +143,18 @@ bool PanelLayout::begin(const Ui& ui, const char* name, const char* title) {
   each.title = title != nullptr ? title : name;
   open_ = &each;
   const float width = ui.px(k_panel_width);
-  const bool fresh = place_all_ || each.max == glm::vec2(0.0F);
-  const bool moved = !fresh && each.min != each.put;
+  const bool fresh = place_all_ || each.box.max == glm::vec2(0.0F);
+  const bool moved = !fresh && each.box.min != each.put;
   if (moved) {
-    each.place.from_right = 0.5F * (each.min.x + each.max.x) > 0.5F * static_cast<float>(size_.x);
-    each.place.offset = each.min / scale_;
+    each.place.from_right = 0.5F * (each.box.min.x + each.box.max.x) > 0.5F * static_cast<float>(size_.x);
+    each.place.offset = each.box.min / scale_;
     if (each.place.from_right)
-      each.place.offset.x = (static_cast<float>(size_.x) - each.min.x - width) / scale_;
-    each.put = each.min;
+      each.place.offset.x = (static_cast<float>(size_.x) - each.box.min.x - width) / scale_;
+    each.put = each.box.min;
   }
   const glm::vec2 at = moved ? each.put : corner_of(ui, each);
   const bool put_anew = fresh || at != each.put;
-  if (put_anew) ImGui::SetNextWindowPos(im(each.put = at));
+  if (put_anew) ImGui::SetNextWindowPos(each.put = at);
   const float room = floor_at(ui, each.put.x, each.place.offset.y) - each.put.y;
   // A title that a click has opened stays open.
   const bool crowded = room < ui.px(k_least_room) && (put_anew || each.squeezed);
@@ -173,8 +173,7 @@ bool PanelLayout::begin(const Ui& ui, const char* name, const char* title) {
                                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleVar();
-  each.min = from_im(ImGui::GetWindowPos());
-  each.max = each.min + from_im(ImGui::GetWindowSize());
+  each.box = window_box();
   each.drawn = true;
   each.collapsed = ImGui::IsWindowCollapsed();
   if (!each.squeezed) each.place.collapsed = each.collapsed;
@@ -184,13 +183,14 @@ bool PanelLayout::begin(const Ui& ui, const char* name, const char* title) {
 
 void PanelLayout::draw_title(const Ui& ui, Panel& each) const {
   ImDrawList& list = window_list();
-  const float middle = each.min.y + 0.5F * ui.px(k_title_height);
-  ui.memory->controls["panel " + each.title] = {each.min, each.max};
-  list.PushClipRect(im(each.min), im(each.max));
-  draw_text(list, ui.strong(), {each.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size}, each.title);
-  const glm::vec2 chevron(each.max.x - ui.px(18), middle), reach(ui.px(12));
+  const float middle = each.box.min.y + 0.5F * ui.px(k_title_height);
+  ui.memory->controls["panel " + each.title] = each.box;
+  list.PushClipRect(each.box.min, each.box.max);
+  draw_text(list, ui.strong(), {each.box.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size},
+            each.title);
+  const glm::vec2 chevron(each.box.max.x - ui.px(18), middle), reach(ui.px(12));
   const bool hovered =
-      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(im(chevron - reach), im(chevron + reach), false);
+      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(chevron - reach, chevron + reach, false);
   draw_icon(list, each.collapsed ? Icon::chevron_up : Icon::chevron_down, chevron, ui.px(9),
             hovered ? ui.colours->text : ui.colours->muted);
   const bool focused = has_keyboard(ui, "title", {chevron - reach, chevron + reach});
@@ -212,9 +212,8 @@ bool PanelLayout::begin_bottom(const Ui& ui, const char* name, float folded_widt
   const FreeArea area = free_area(false);
   const float gap = ui.px(12);
   float bottom = static_cast<float>(size_.y) - gap;
-  for (const Panel& other : panels_) {
-    if (other.drawn && other.bottom) bottom = std::min(bottom, other.min.y - ui.px(8));
-  }
+  for (const Panel& other : panels_)
+    if (other.drawn && other.bottom) bottom = std::min(bottom, other.box.min.y - ui.px(8));
   open_ = &each;
   each.bottom = each.drawn = true;
   const float between = static_cast<float>(area.max.x - area.min.x) - 2.0F * gap;
@@ -227,12 +226,11 @@ bool PanelLayout::begin_bottom(const Ui& ui, const char* name, float folded_widt
   ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F),
                                       ImVec2(width, std::max(bottom - ui.px(k_bar_height) - gap, ui.px(64))));
   ImGui::Begin(("##" + each.place.name).c_str(), nullptr, k_card_window);
-  each.min = from_im(ImGui::GetWindowPos());
-  each.max = each.min + from_im(ImGui::GetWindowSize());
+  each.box = window_box();
   // Its size follows from what is in it, which is not known before the next frame: panels above it do not
   // give way to a guess.
-  if (ImGui::IsWindowAppearing()) each.min.y = std::round(bottom - ui.px(k_bottom_row));
-  ui.memory->controls["panel " + each.place.name] = {each.min, each.max};
+  if (ImGui::IsWindowAppearing()) each.box.min.y = std::round(bottom - ui.px(k_bottom_row));
+  ui.memory->controls["panel " + each.place.name] = each.box;
   return !each.place.collapsed;
 }
 
@@ -259,12 +257,12 @@ FreeArea PanelLayout::free_area(bool panels_hidden) const {
   if (panels_hidden) return area;
   area.min.y = static_cast<int>(k_bar_height * scale_);
   for (const Panel& each : panels_) {
-    if (each.drawn && each.bottom) area.max.y = std::min(area.max.y, static_cast<int>(each.min.y));
+    if (each.drawn && each.bottom) area.max.y = std::min(area.max.y, static_cast<int>(each.box.min.y));
     if (!each.drawn || each.collapsed || each.bottom) continue;
     if (each.place.from_right) {
-      area.max.x = std::min(area.max.x, static_cast<int>(each.min.x));
+      area.max.x = std::min(area.max.x, static_cast<int>(each.box.min.x));
     } else {
-      area.min.x = std::max(area.min.x, static_cast<int>(each.max.x));
+      area.min.x = std::max(area.min.x, static_cast<int>(each.box.max.x));
     }
   }
   // Panels that were moved into the middle leave no free area to speak of.

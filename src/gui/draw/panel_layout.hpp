@@ -62,10 +62,9 @@ class PanelLayout {
   bool begin(const Ui& ui, const char* name, const char* title = nullptr);
   void end();
   /// The same for a panel along the bottom, between those on the sides or, where that is little, below them;
-  /// above those that have been drawn there;
-  /// it is as high as what is in it, and
-  /// its first row is its title, which the panel draws. False if it is folded up to that row; then it is no
-  /// wider than `folded_width`, pixels, where that is given.
+  /// above those that have been drawn there; it is as high as what is in it, and its first row is its title,
+  /// which the panel draws. False if it is folded up to that row; then it is no wider than `folded_width`,
+  /// pixels, where that is given.
   bool begin_bottom(const Ui& ui, const char* name, float folded_width = 0.0F);
   /// Folds a panel along the bottom up, by its name, or down; then the others there are folded up: more than
   /// one would leave little of the part.
@@ -86,8 +85,8 @@ class PanelLayout {
  private:
   struct Panel {
     PanelPlace place;
-    glm::vec2 min{0.0F}, max{0.0F};  // on the screen when last drawn, pixels
-    glm::vec2 put{-1.0F};            // where it was put: it is elsewhere once the user has moved it
+    ScreenBox box = {};    // on the screen when last drawn, pixels
+    glm::vec2 put{-1.0F};  // where it was put: it is elsewhere once the user has moved it
     bool drawn = false;
     bool collapsed = false;
     bool squeezed = false;  // for want of room, which is not remembered

@@ -4,7 +4,6 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <utility>
 
 #include <fontconfig/fontconfig.h>
@@ -14,6 +13,7 @@
 #include FT_FREETYPE_H
 #include <imgui_freetype.h>
 
+#include "base/owned.hpp"
 #include "picture/canvas.hpp"
 
 namespace moldlight::gui {
@@ -57,10 +57,7 @@ constexpr ImWchar k_text[] = {0x20,   0x2F,   0x3A,   0x24F,  0x370,  0x3FF,  0x
                               0x2027, 0x2030, 0x203A, 0x2070, 0x209C, 0x20AC, 0x20AC, 0x2190, 0x2193,
                               0x2212, 0x2212, 0x221E, 0x221E, 0x2248, 0x2248, 0x2260, 0x2265, 0};
 
-struct PatternDelete {
-  void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
-};
-using Pattern = std::unique_ptr<FcPattern, PatternDelete>;
+using Pattern = Owned<FcPattern, FcPatternDestroy>;
 
 /// The installed face of this family that is nearest to the weight; an empty path where the family is not
 /// there (fontconfig would give another one).
@@ -80,9 +77,8 @@ FontFile find_face(const char* family, int weight) {
   int face = 0;
   bool same_family = false;
   FcChar8* name = nullptr;
-  for (int i = 0; FcPatternGetString(found.get(), FC_FAMILY, i, &name) == FcResultMatch; ++i) {
+  for (int i = 0; FcPatternGetString(found.get(), FC_FAMILY, i, &name) == FcResultMatch; ++i)
     same_family = same_family || std::strcmp(reinterpret_cast<const char*>(name), family) == 0;
-  }
   if (!same_family || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
   if (FcPatternGetInteger(found.get(), FC_INDEX, 0, &face) != FcResultMatch) face = 0;
   return {reinterpret_cast<const char*>(file), face};

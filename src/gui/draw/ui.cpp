@@ -19,14 +19,14 @@ void note_text(const ImDrawList& list, ImU32 colour, const ScreenBox& box, std::
   memory.texts.push_back({.text = std::string(text),
                           .window = window != nullptr ? window : "",
                           .box = box,
-                          .clip = {from_im(list.GetClipRectMin()), from_im(list.GetClipRectMax())},
+                          .clip = {glm::vec2(list.GetClipRectMin()), glm::vec2(list.GetClipRectMax())},
                           .colour = colour});
 }
 
 void draw_text(ImDrawList& list, const Lettering& lettering, const glm::vec2& at, std::string_view text) {
   if (text.empty()) return;
   const glm::vec2 corner = glm::round(at);
-  list.AddText(lettering.font.font, lettering.font.size, im(corner), lettering.colour, text.data(),
+  list.AddText(lettering.font.font, lettering.font.size, corner, lettering.colour, text.data(),
                text.data() + text.size());
   note_text(list, lettering.colour, {corner, corner + text_size(lettering.font, text)}, text);
 }
@@ -78,7 +78,7 @@ std::string fitted(const SizedFont& font, std::string_view text, float width) {
 }
 
 void place_window(const glm::vec2& at, const glm::vec2& pivot) {
-  ImGui::SetNextWindowPos(im(at), ImGuiCond_Always, im(pivot));
+  ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
 }
 
 void heading(const Ui& ui, std::string_view text) {

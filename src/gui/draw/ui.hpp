@@ -144,22 +144,21 @@ struct Ui {
   [[nodiscard]] Lettering note() const { return {fonts.small, colours->muted}; }
 };
 
-[[nodiscard]] inline ImVec2 im(const glm::vec2& v) { return {v.x, v.y}; }
-[[nodiscard]] inline glm::vec2 from_im(const ImVec2& v) { return {v.x, v.y}; }
-
 // Of the window that is open, pixels: where the next item goes, how wide it may be; what is drawn on it.
-[[nodiscard]] inline glm::vec2 cursor_at() { return from_im(ImGui::GetCursorScreenPos()); }
-inline void put_cursor(const glm::vec2& at) { ImGui::SetCursorScreenPos(im(at)); }
+[[nodiscard]] inline glm::vec2 cursor_at() { return ImGui::GetCursorScreenPos(); }
+inline void put_cursor(const glm::vec2& at) { ImGui::SetCursorScreenPos(at); }
 [[nodiscard]] inline float room_left() { return ImGui::GetContentRegionAvail().x; }
 [[nodiscard]] inline ImDrawList& window_list() { return *ImGui::GetWindowDrawList(); }
 /// What is drawn on the scene, behind the panels.
 [[nodiscard]] inline ImDrawList& scene_list() { return *ImGui::GetBackgroundDrawList(); }
-[[nodiscard]] inline glm::vec2 mouse_at() { return from_im(ImGui::GetIO().MousePos); }
-[[nodiscard]] inline glm::vec2 screen_size() { return from_im(ImGui::GetIO().DisplaySize); }
-/// The item just drawn.
-[[nodiscard]] inline ScreenBox item_box() {
-  return {from_im(ImGui::GetItemRectMin()), from_im(ImGui::GetItemRectMax())};
+[[nodiscard]] inline glm::vec2 mouse_at() { return ImGui::GetIO().MousePos; }
+[[nodiscard]] inline glm::vec2 screen_size() { return ImGui::GetIO().DisplaySize; }
+/// The window that is open; the item just drawn.
+[[nodiscard]] inline ScreenBox window_box() {
+  const glm::vec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  return {corner, corner + size};
 }
+[[nodiscard]] inline ScreenBox item_box() { return {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}; }
 
 /// A GL texture as ImGui takes it.
 [[nodiscard]] inline ImTextureID texture_id(unsigned name) {

@@ -9,11 +9,7 @@
 
 namespace moldlight::gui {
 
-namespace {
-
 constexpr float k_least_wrap = 80.0F;  // layout units; narrower text is not wrapped
-
-}  // namespace
 
 void row_text(const Ui& ui, const Lettering& lettering, float width, std::string_view text) {
   const glm::vec2 at = cursor_at();
@@ -23,14 +19,14 @@ void row_text(const Ui& ui, const Lettering& lettering, float width, std::string
 
 void draw_tagged_text(const Ui& ui, ImDrawList& list, const TaggedText& tagged) {
   const glm::vec2 room(ui.px(5), ui.px(1)), size = text_size(tagged.lettering.font, tagged.text);
-  list.AddRectFilled(im(tagged.at - room), im(tagged.at + size + room), ui.colours->popup, ui.px(6));
+  list.AddRectFilled(tagged.at - room, tagged.at + size + room, ui.colours->popup, ui.px(6));
   draw_text(list, tagged.lettering, tagged.at, tagged.text);
 }
 
 void draw_picture(ImDrawList& list, unsigned texture, const ScreenBox& box, float rounding) {
   if (texture == 0) return;
-  list.AddImageRounded(texture_id(texture), im(box.min), im(box.max), ImVec2(0, 1), ImVec2(1, 0),
-                       IM_COL32_WHITE, rounding);
+  list.AddImageRounded(texture_id(texture), box.min, box.max, ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE,
+                       rounding);
 }
 
 std::vector<std::string> lines_within(const SizedFont& font, std::string_view text, float width,
@@ -73,7 +69,7 @@ glm::vec2 tag_size(const Ui& ui, std::string_view text) {
 void draw_tag(const Ui& ui, const glm::vec2& middle, std::string_view text, ImU32 colour) {
   ImDrawList& list = scene_list();
   const glm::vec2 half = 0.5F * tag_size(ui, text);
-  list.AddRectFilled(im(middle - half), im(middle + half), ui.colours->panel, half.y);
+  list.AddRectFilled(middle - half, middle + half, ui.colours->panel, half.y);
   draw_text(list, {ui.fonts.small, colour}, middle - 0.5F * text_size(ui.fonts.small, text), text);
 }
 
@@ -89,11 +85,10 @@ void progress_bar(const Ui& ui, double fraction, float width) {
   const float height = ui.px(4);
   ImGui::Dummy(ImVec2(width, height));
   ImDrawList& list = window_list();
-  list.AddRectFilled(im(min), ImVec2(min.x + width, min.y + height), ui.colours->field_hovered,
-                     0.5F * height);
+  list.AddRectFilled(min, ImVec2(min.x + width, min.y + height), ui.colours->field_hovered, 0.5F * height);
   if (fraction < 0.0) return;
   const float done = std::max(height, width * static_cast<float>(std::min(fraction, 1.0)));
-  list.AddRectFilled(im(min), ImVec2(min.x + done, min.y + height), ui.colours->accent, 0.5F * height);
+  list.AddRectFilled(min, ImVec2(min.x + done, min.y + height), ui.colours->accent, 0.5F * height);
 }
 
 }  // namespace moldlight::gui

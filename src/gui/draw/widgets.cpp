@@ -22,8 +22,7 @@ Pressable begin_row(const Ui& ui, std::string_view label, float width = 0.0F) {
 /// Around a control that has the keyboard.
 void draw_focus_ring(const Ui& ui, const ScreenBox& box) {
   const glm::vec2 gap(1.5F * ui.scale);
-  window_list().AddRect(im(box.min - gap), im(box.max + gap), ui.colours->accent, ui.px(7), 0,
-                        2.0F * ui.scale);
+  window_list().AddRect(box.min - gap, box.max + gap, ui.colours->accent, ui.px(7), 0, 2.0F * ui.scale);
   if (!ui.memory->keyboard.arrived()) return;
   const ImGuiStyle& style = ImGui::GetStyle();
   const float top = ImGui::GetWindowPos().y + style.WindowPadding.y,
@@ -140,7 +139,7 @@ ImU32 field_colour(const Ui& ui, const Pressable& item) {
 }
 
 void fill(ImDrawList& list, const ScreenBox& box, ImU32 colour, float rounding) {
-  list.AddRectFilled(im(box.min), im(box.max), colour, rounding);
+  list.AddRectFilled(box.min, box.max, colour, rounding);
 }
 
 void name_item(const Ui& ui, const std::string& name) { ui.memory->controls[name] = item_box(); }
@@ -154,7 +153,7 @@ bool has_keyboard(const Ui& ui, std::string_view id, const ScreenBox& box) {
 
 Pressable pressable(const Ui& ui, const char* id, const glm::vec2& size) {
   Pressable item;
-  item.clicked = ImGui::InvisibleButton(id, im(glm::max(size, glm::vec2(1.0F))));
+  item.clicked = ImGui::InvisibleButton(id, glm::max(size, glm::vec2(1.0F)));
   item.box = item_box();
   item.hovered = ImGui::IsItemHovered();
   item.active = ImGui::IsItemActive();
@@ -220,16 +219,15 @@ bool slider(const Ui& ui, const RowLabel& label, double& value, const SliderSpec
   } else if (row.active) {
     const float mouse = ImGui::GetIO().MousePos.x;
     // A press alone changes nothing: the first of two clicks that start typing would.
-    if (std::abs(ImGui::GetMouseDragDelta(0, 0.0F).x) >= 2.0F * ui.scale) {
+    if (std::abs(ImGui::GetMouseDragDelta(0, 0.0F).x) >= 2.0F * ui.scale)
       value = snapped(value_at((mouse - row.box.min.x) / (row.box.max.x - row.box.min.x), spec), spec);
-    }
   }
   ImDrawList& list = window_list();
   const float rounding = ui.px(6);
   fill(list, row.box, field_colour(ui, row), rounding);
   const float end =
       row.box.min.x + static_cast<float>(share_of(value, spec)) * (row.box.max.x - row.box.min.x);
-  list.PushClipRect(im(row.box.min), ImVec2(std::round(end), row.box.max.y), true);
+  list.PushClipRect(row.box.min, ImVec2(std::round(end), row.box.max.y), true);
   fill(list, row.box, ui.colours->fill, rounding);
   list.PopClipRect();
   if (row.hovered || row.active) {
@@ -281,7 +279,7 @@ bool toggle(const Ui& ui, const RowLabel& label, bool& on) {
   draw_label(ui, row, label);
   const float height = ui.px(14), width = ui.px(24);
   const glm::vec2 min(row.box.max.x - ui.px(8) - width, std::round(row.box.centre().y - 0.5F * height));
-  list.AddRectFilled(im(min), ImVec2(min.x + width, min.y + height),
+  list.AddRectFilled(min, ImVec2(min.x + width, min.y + height),
                      on ? ui.colours->accent : ui.colours->field_active, 0.5F * height);
   const float knob = 0.5F * height - ui.px(2);
   list.AddCircleFilled(
@@ -302,7 +300,7 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
   glm::vec2 at = below ? start + glm::vec2(ui.px(2), height) : glm::vec2(start.x + width - total, start.y);
   ImDrawList& list = window_list();
   draw_label(ui, {.box = {start, start + glm::vec2(width, height)}}, label);
-  if (!below) list.AddRectFilled(im(at), im(start + glm::vec2(width, height)), ui.colours->field, ui.px(6));
+  if (!below) list.AddRectFilled(at, start + glm::vec2(width, height), ui.colours->field, ui.px(6));
   const int before = index;
   const bool focused = has_keyboard(ui, label.text, {start, start + glm::vec2(width, height)});
   // None of the words may be chosen.
@@ -320,8 +318,8 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
     const glm::vec2 min = at, max = at + glm::vec2(word_width, height);
     if (chosen || ImGui::IsItemHovered()) {
       const glm::vec2 inset(ui.px(2), ui.px(2));
-      list.AddRectFilled(im(min + inset), im(max - inset),
-                         chosen ? ui.colours->accent : ui.colours->field_hovered, ui.px(4));
+      list.AddRectFilled(min + inset, max - inset, chosen ? ui.colours->accent : ui.colours->field_hovered,
+                         ui.px(4));
     }
     draw_text(list, {ui.fonts.body, chosen ? ui.colours->on_accent : ui.colours->text},
               at + glm::vec2(ui.px(6), 0.5F * (height - ui.fonts.body.size)), words[k]);
@@ -350,9 +348,7 @@ bool button(const Ui& ui, std::string_view label, const ButtonSpec& spec) {
 
 bool icon_button(const Ui& ui, const IconButtonSpec& spec) {
   const Pressable row = begin_row(ui, spec.id, ui.px(k_row_height));
-  if (row.hovered || spec.chosen) {
-    fill(window_list(), row.box, field_colour(ui, row), ui.px(6));
-  }
+  if (row.hovered || spec.chosen) fill(window_list(), row.box, field_colour(ui, row), ui.px(6));
   draw_icon(window_list(), spec.icon, 0.5F * (row.box.min + row.box.max), ui.px(14),
             faded(row.hovered ? ui.colours->text : ui.colours->muted, ImGui::GetStyle().Alpha));
   tooltip(ui, {}, spec.tip);
@@ -368,10 +364,8 @@ bool chip(const Ui& ui, std::string_view label, bool on, bool first) {
   const Pressable row = begin_row(ui, label, width);
   ImDrawList& list = window_list();
   const float rounding = 0.5F * (row.box.max.y - row.box.min.y);
-  if (on || row.hovered) {
-    fill(list, row.box, on ? ui.colours->field_active : ui.colours->field, rounding);
-  }
-  if (!on) list.AddRect(im(row.box.min), im(row.box.max), ui.colours->line, rounding);
+  if (on || row.hovered) fill(list, row.box, on ? ui.colours->field_active : ui.colours->field, rounding);
+  if (!on) list.AddRect(row.box.min, row.box.max, ui.colours->line, rounding);
   draw_row_text({ui.fonts.body, on ? ui.colours->text : ui.colours->muted}, row.box.min.x + ui.px(9), row,
                 label);
   return row.clicked;

@@ -17,9 +17,8 @@ std::vector<FeatureDirection> feature_directions(const PartModel& model, const P
   options.most_per_kind = 12;
   options.merge_deg = 0.2;
   std::vector<FeatureDirection> features;
-  for (const Candidate& candidate : find_candidates(model, options, progress)) {
+  for (const Candidate& candidate : find_candidates(model, options, progress))
     features.push_back({candidate.direction, candidate.sources.front().reason});
-  }
   return features;
 }
 

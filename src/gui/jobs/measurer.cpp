@@ -10,15 +10,11 @@
 
 namespace moldlight::gui {
 
-namespace {
-
 constexpr double k_rest_s = 0.15;  // without a change, after which a hand that holds something still rests
 constexpr double k_pale_s = 0.3;   // after which figures of other settings are shown as such
 /// By which shadow maps are compared with exact regions: a look-up of some milliseconds without a graphics
 /// card.
 constexpr std::size_t k_map_samples = 20'000;
-
-}  // namespace
 
 /// Context and classifier for readouts that need them, kept from one request to the next. Lives on the job's
 /// thread only.

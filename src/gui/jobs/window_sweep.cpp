@@ -150,9 +150,8 @@ void WindowSweep::note_progress(const JobStatus& status, SweepState& sweep, doub
       std::max(progress.share, sweep_share_done(status.stage, status.fraction, seeks_actions(settings_)));
   const double elapsed_s = now_s - started_s_;
   progress.left_s.reset();
-  if (elapsed_s > k_least_known_s && progress.share > k_least_known_share) {
+  if (elapsed_s > k_least_known_s && progress.share > k_least_known_share)
     progress.left_s = elapsed_s * (1.0 - progress.share) / progress.share;
-  }
 }
 
 }  // namespace moldlight::gui

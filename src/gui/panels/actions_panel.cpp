@@ -38,9 +38,8 @@ std::string turn_text(double from_deg, double to_deg) {
 
 std::string shared_text(const SideAction& action, std::size_t undercut) {
   std::vector<std::size_t> others;
-  for (const std::size_t found : action.undercuts) {
+  for (const std::size_t found : action.undercuts)
     if (found != undercut) others.push_back(found + 1);
-  }
   return others.empty() ? std::string() : fmt::format(" · with {}", fmt::join(others, ", "));
 }
 
@@ -78,9 +77,8 @@ bool is_unreleased(const ActionPlan& plan, std::size_t undercut) {
 
 /// The pin that the settings have for it, which a plan may not have seen yet.
 const ActionPin* pin_for(const ActionSettings& settings, const UndercutReport& found) {
-  for (auto pin = settings.pins.rbegin(); pin != settings.pins.rend(); ++pin) {
+  for (auto pin = settings.pins.rbegin(); pin != settings.pins.rend(); ++pin)
     if (found.pin == *pin || (pin->point == found.point && pin->area == found.undercut.area)) return &*pin;
-  }
   return nullptr;
 }
 
@@ -247,11 +245,7 @@ void draw_undercuts(const PanelContext& context, RowCursor& cursor) {
 
 BarNews actions_news(const AppState& state) {
   const ActionsState& actions = state.actions;
-  if (actions.running || actions.awaited) {
-    const bool named = actions.running && !actions.running->stage.empty();
-    return {.text = named ? actions.running->stage + " …" : "finding side actions …",
-            .progress = actions.running ? actions.running->fraction : 0.0};
-  }
+  if (actions.running || actions.awaited) return running_news(actions.running, "finding side actions …");
   if (!actions.error.empty()) return {.text = actions.error, .warning = true};
   if (!actions.plan) return {.text = "Undercuts are listed when the direction rests."};
   if (!actions.plan->undercuts.empty()) return {.text = actions_summary(state)};

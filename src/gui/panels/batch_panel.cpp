@@ -8,12 +8,8 @@
 
 namespace moldlight::gui {
 
-namespace {
-
 constexpr float k_part_row = 28.0F, k_row_with_picture = 54.0F, k_thumbnail_width = 68.0F;  // layout units
 constexpr float k_state_width = 74.0F, k_figure_width = 104.0F;
-
-}  // namespace
 
 void BatchPanel::draw(const PanelContext& context, const BatchPicture& picture) {
   const auto& table = context.state.batch;
@@ -30,10 +26,7 @@ void BatchPanel::draw(const PanelContext& context, const BatchPicture& picture) 
     filter_.fill(0);
     selected_ = -1;
   }
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  if (begin_dialog(
-          ui, "Batch",
-          {std::min(ui.px(980), window.x - ui.px(32)), std::min(ui.px(640), window.y - ui.px(32))})) {
+  if (begin_dialog(ui, "Batch", {ui.px(980), ui.px(640)})) {
     changed = text_field(ui, "##filter", filter_,
                          {.hint = "part, settings, state or reason", .width = ui.px(280), .starts = opens}) ||
               changed;

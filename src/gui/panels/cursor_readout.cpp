@@ -30,7 +30,7 @@ std::string length_text(const AppState& state, double length) {
 void draw_length(const PanelContext& context, const ViewSegment& way, double length) {
   const Ui& ui = context.ui;
   const Camera& camera = context.state.camera;
-  const glm::ivec2 size(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
+  const glm::ivec2 size(screen_size());
   const auto from = project(camera, size, glm::dvec3(way.start)),
              to = project(camera, size, glm::dvec3(way.end));
   if (!from || !to || glm::distance(*from, *to) < ui.px(k_least_way_px)) return;
@@ -41,7 +41,7 @@ constexpr float k_card_width = 212.0F, k_card_row = 20.0F, k_from_line = 16.0F; 
 
 void draw_row(const Ui& ui, const char* name, const std::string& figure, const std::string& exact) {
   ImGui::InvisibleButton(name, ImVec2(ui.px(k_card_width), ui.px(k_card_row)));
-  const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
+  const auto& [min, max] = item_box();
   ui.memory->controls[fmt::format("measured {}", name)] = {min, max};
   ImDrawList& list = window_list();
   if (ImGui::IsItemHovered()) fill(list, {min, max}, ui.colours->field, ui.px(4));
@@ -144,11 +144,11 @@ void draw_cursor_readout(const PanelContext& context) {
   glm::vec2 at = area.beside(cursor, size, ui.px(k_from_cursor));
   ui.memory->controls["readout"] = {at, at + size};
   ImDrawList& list = *ImGui::GetForegroundDrawList();
-  list.AddRectFilled(im(at), im(at + size), ui.colours->popup, ui.px(6));
-  list.AddRect(im(at), im(at + size), ui.colours->panel_border, ui.px(6));
+  list.AddRectFilled(at, at + size, ui.colours->popup, ui.px(6));
+  list.AddRect(at, at + size, ui.colours->panel_border, ui.px(6));
   at += padding;
   const glm::vec2 mark = at + glm::vec2(0.0F, 0.5F * (ui.px(k_readout_line) - swatch));
-  list.AddRectFilled(im(mark), im(mark + swatch), packed(colour), ui.px(3));
+  list.AddRectFilled(mark, mark + swatch, packed(colour), ui.px(3));
   for (const std::string& line : lines) {
     const bool first = &line == &lines.front();
     const SizedFont& font = first ? ui.fonts.strong : ui.fonts.body;
@@ -167,7 +167,7 @@ void draw_measuring(const PanelContext& context) {
   const bool clicked = places.size() == 2;
   if (places.size() == 1 && state.hover) places.push_back(measured_place(*state.model, state.hover->point));
   ImDrawList& list = scene_list();
-  const glm::ivec2 window(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
+  const glm::ivec2 window(screen_size());
   std::vector<glm::vec2> seen;
   for (const MeasuredPlace& place : places) {
     const auto pixel = project(state.camera, window, glm::dvec3(state.model->frame.to_unit(place.at)));
@@ -175,12 +175,12 @@ void draw_measuring(const PanelContext& context) {
     seen.emplace_back(*pixel);
   }
   if (seen.size() == 2) {
-    list.AddLine(im(seen[0]), im(seen[1]), ui.colours->panel, 4.0F * ui.scale);
-    list.AddLine(im(seen[0]), im(seen[1]), ui.colours->text, 2.0F * ui.scale);
+    list.AddLine(seen[0], seen[1], ui.colours->panel, 4.0F * ui.scale);
+    list.AddLine(seen[0], seen[1], ui.colours->text, 2.0F * ui.scale);
   }
   for (const glm::vec2& end : seen) {
-    list.AddCircleFilled(im(end), ui.px(5), ui.colours->panel);
-    list.AddCircleFilled(im(end), ui.px(3), ui.colours->text);
+    list.AddCircleFilled(end, ui.px(5), ui.colours->panel);
+    list.AddCircleFilled(end, ui.px(3), ui.colours->text);
   }
   if (seen.size() < 2) {
     const FreeArea area = context.free_area();

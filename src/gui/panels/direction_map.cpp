@@ -39,58 +39,6 @@ std::string area_text(const AppState& state, double area) {
                      powered_unit(state.model->part, 2));
 }
 
-}  // namespace
-
-void draw_sphere(const Ball& ball, const SweepMap* map, const BareBall& bare) {
-  ImDrawList& list = ball.list;
-  // As fine as the map itself on a large ball; a few pixels on a small one. Shade alone needs less.
-  const int rings = map != nullptr ? std::clamp(static_cast<int>(ball.radius / 3.0F), 16, 48) : 7;
-  const int spokes = map != nullptr ? 3 * rings : 40;
-  const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
-  const int vertices = (rings + 1) * spokes;
-  list.PrimReserve(rings * spokes * 6, vertices);
-  const unsigned first = list._VtxCurrentIdx;
-  for (int ring = 0; ring <= rings; ++ring) {
-    const double r = std::sin(0.5 * glm::pi<double>() * ring / rings);
-    for (int spoke = 0; spoke < spokes; ++spoke) {
-      const double turn = 2.0 * glm::pi<double>() * spoke / spokes;
-      const glm::dvec2 at(r * std::cos(turn), r * std::sin(turn));
-      const glm::dvec3 seen(at.x, -at.y, std::sqrt(std::max(0.0, 1.0 - r * r)));
-      const double lit = std::clamp(glm::dot(seen, glm::normalize(glm::dvec3(-0.5, 0.7, 0.8))), 0.0, 1.0);
-      list.PrimWriteVtx(im(ball.centre + ball.radius * glm::vec2(at)), white,
-                        map_colour(map, ball.camera.orientation * seen, static_cast<float>(lit), bare));
-    }
-  }
-  const auto index = [&](int ring, int spoke) {
-    list.PrimWriteIdx(static_cast<ImDrawIdx>(first + static_cast<unsigned>(ring * spokes + spoke % spokes)));
-  };
-  for (int ring = 0; ring < rings; ++ring) {
-    for (int spoke = 0; spoke < spokes; ++spoke) {
-      for (const auto& [up, along] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
-        index(ring + up, spoke + along);
-      }
-    }
-  }
-  list.AddCircle(im(ball.centre), ball.radius, bare.dark, map != nullptr ? 96 : 64, 1.5F);
-}
-
-void draw_circle(const Ball& ball, const glm::dvec3& axis, double angle_deg, const Stroke& stroke) {
-  const glm::dvec3 side = std::abs(axis.z) > 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
-  const glm::dvec3 x = glm::normalize(glm::cross(axis, side)), y = glm::cross(axis, x);
-  const double sine = std::sin(glm::radians(angle_deg)), cosine = std::cos(glm::radians(angle_deg));
-  constexpr int k_steps = 48;
-  glm::vec2 before(0.0F);
-  for (int step = 0; step <= k_steps; ++step) {
-    const double turn = 2.0 * glm::pi<double>() * step / k_steps;
-    const BallPoint point = ball.point(cosine * axis + sine * (std::cos(turn) * x + std::sin(turn) * y));
-    const glm::vec2 here = ball.screen(point);
-    if (step > 0 && point.front) ball.list.AddLine(im(before), im(here), stroke.colour, stroke.thickness);
-    before = here;
-  }
-}
-
-namespace {
-
 /// Of the proof of the best, or of all free directions where that one has none.
 const SweepProof* shown_proof(const SweepState& sweep) {
   if (!sweep.result) return nullptr;
@@ -129,6 +77,53 @@ void draw_open_caps(const Ui& ui, const Ball& ball, const SweepProof& proof) {
 
 }  // namespace
 
+void draw_sphere(const Ball& ball, const SweepMap* map, const BareBall& bare) {
+  ImDrawList& list = ball.list;
+  // As fine as the map itself on a large ball; a few pixels on a small one. Shade alone needs less.
+  const int rings = map != nullptr ? std::clamp(static_cast<int>(ball.radius / 3.0F), 16, 48) : 7;
+  const int spokes = map != nullptr ? 3 * rings : 40;
+  const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+  const int vertices = (rings + 1) * spokes;
+  list.PrimReserve(rings * spokes * 6, vertices);
+  const unsigned first = list._VtxCurrentIdx;
+  for (int ring = 0; ring <= rings; ++ring) {
+    const double r = std::sin(0.5 * glm::pi<double>() * ring / rings);
+    for (int spoke = 0; spoke < spokes; ++spoke) {
+      const double turn = 2.0 * glm::pi<double>() * spoke / spokes;
+      const glm::dvec2 at(r * std::cos(turn), r * std::sin(turn));
+      const glm::dvec3 seen(at.x, -at.y, std::sqrt(std::max(0.0, 1.0 - r * r)));
+      const double lit = std::clamp(glm::dot(seen, glm::normalize(glm::dvec3(-0.5, 0.7, 0.8))), 0.0, 1.0);
+      list.PrimWriteVtx(ball.centre + ball.radius * glm::vec2(at), white,
+                        map_colour(map, ball.camera.orientation * seen, static_cast<float>(lit), bare));
+    }
+  }
+  const auto index = [&](int ring, int spoke) {
+    list.PrimWriteIdx(static_cast<ImDrawIdx>(first + static_cast<unsigned>(ring * spokes + spoke % spokes)));
+  };
+  for (int ring = 0; ring < rings; ++ring) {
+    for (int spoke = 0; spoke < spokes; ++spoke) {
+      for (const auto& [up, along] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}})
+        index(ring + up, spoke + along);
+    }
+  }
+  list.AddCircle(ball.centre, ball.radius, bare.dark, map != nullptr ? 96 : 64, 1.5F);
+}
+
+void draw_circle(const Ball& ball, const glm::dvec3& axis, double angle_deg, const Stroke& stroke) {
+  const glm::dvec3 side = std::abs(axis.z) > 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+  const glm::dvec3 x = glm::normalize(glm::cross(axis, side)), y = glm::cross(axis, x);
+  const double sine = std::sin(glm::radians(angle_deg)), cosine = std::cos(glm::radians(angle_deg));
+  constexpr int k_steps = 48;
+  glm::vec2 before(0.0F);
+  for (int step = 0; step <= k_steps; ++step) {
+    const double turn = 2.0 * glm::pi<double>() * step / k_steps;
+    const BallPoint point = ball.point(cosine * axis + sine * (std::cos(turn) * x + std::sin(turn) * y));
+    const glm::vec2 here = ball.screen(point);
+    if (step > 0 && point.front) ball.list.AddLine(before, here, stroke.colour, stroke.thickness);
+    before = here;
+  }
+}
+
 void draw_sweep_marks(const Ui& ui, const Ball& ball, const SweepState& sweep) {
   ImDrawList& list = ball.list;
   constexpr ImU32 k_dark = IM_COL32(24, 16, 20, 230), k_light = IM_COL32(255, 255, 255, 240);
@@ -145,7 +140,7 @@ void draw_sweep_marks(const Ui& ui, const Ball& ball, const SweepState& sweep) {
       }
       const BallPoint point = ball.point(direction);
       if (!point.front) continue;
-      const ImVec2 at = im(ball.screen(point));
+      const ImVec2 at = ball.screen(point);
       if (best) {
         list.AddCircle(at, 7.0F * ui.scale, k_dark, 0, 3.0F * ui.scale);
         list.AddCircle(at, 7.0F * ui.scale, k_light, 0, 1.5F * ui.scale);
@@ -227,9 +222,8 @@ void draw_large_ball(const PanelContext& context, BallDrag& drag) {
   ImGui::AlignTextToFramePadding();
   heading(ui, "Undercut by direction");
   ImGui::SameLine(room_left() + ui.px(12) - ui.px(k_row_height));
-  if (icon_button(ui, {"close ball", Icon::close, "Close the large ball"})) {
+  if (icon_button(ui, {"close ball", Icon::close, "Close the large ball"}))
     context.edits.sweep_choices.large_ball = false;
-  }
   draw_ball(context, drag, size);
   const glm::vec2 at = cursor_at();
   const float height = draw_colour_bar(context, at + glm::vec2(0.0F, ui.px(4)), size);

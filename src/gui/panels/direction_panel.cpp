@@ -29,9 +29,8 @@ void draw_axis_buttons(const PanelContext& context) {
       direction[axis] = sign;
       if (axis > 0) ImGui::SameLine(0.0F, gap);
       const std::string label = fmt::format("{}{}", sign > 0 ? "+" : "−", "XYZ"[axis]);
-      if (button(ui, label, {.width = width, .strong = false, .chosen = present.given() == direction})) {
+      if (button(ui, label, {.width = width, .strong = false, .chosen = present.given() == direction}))
         present = direction;
-      }
     }
   }
 }
@@ -63,32 +62,6 @@ void draw_bookmarks(const PanelContext& context) {
   }
   end_popup(ui);
 }
-
-}  // namespace
-
-void draw_direction_fields(const PanelContext& context) {
-  const Ui& ui = context.ui;
-  Direction& present = context.edits.settings.direction;
-  const float gap = ui.px(4), room = room_left();
-  const float third = std::floor((room - 2.0F * gap) / 3.0F), half = std::floor((room - gap) / 2.0F);
-  glm::dvec3 direction = present.given();
-  bool typed = false;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (axis > 0) ImGui::SameLine(0.0F, gap);
-    const std::string name(1, "xyz"[axis]);
-    typed = number_field(ui, name.c_str(), direction[axis], {name, 3, third}) || typed;
-  }
-  if (typed && direction != glm::dvec3(0.0)) present = direction;
-  Angles angles = angles_of(present.unit());
-  bool turned = number_field(ui, "azimuth", angles.azimuth_deg, {"az °", 1, half});
-  tooltip(ui, "Azimuth", "Angle about z, from x towards y, in degrees.");
-  ImGui::SameLine(0.0F, gap);
-  turned = number_field(ui, "elevation", angles.elevation_deg, {"el °", 1, half}) || turned;
-  tooltip(ui, "Elevation", "Angle above the xy plane, in degrees.");
-  if (turned) present = direction_of(angles);
-}
-
-namespace {
 
 /// Those that the marker does not cover.
 void draw_axis_names(const Ui& ui, const Ball& ball, const glm::vec2& marker) {
@@ -139,27 +112,46 @@ void nudge_ball(const PanelContext& context) {
                                                                    {ControlKey::right, camera.right()},
                                                                    {ControlKey::up, camera.up()},
                                                                    {ControlKey::down, -camera.up()}}};
-  for (const auto& [key, toward] : steps) {
+  for (const auto& [key, toward] : steps)
     if (keyboard.takes(key)) direction = nudged(direction.unit(), toward, camera.toward_viewer(), k_step_deg);
-  }
 }
 
 }  // namespace
 
+void draw_direction_fields(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  Direction& present = context.edits.settings.direction;
+  const float gap = ui.px(4), room = room_left();
+  const float third = std::floor((room - 2.0F * gap) / 3.0F), half = std::floor((room - gap) / 2.0F);
+  glm::dvec3 direction = present.given();
+  bool typed = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0) ImGui::SameLine(0.0F, gap);
+    const std::string name(1, "xyz"[axis]);
+    typed = number_field(ui, name.c_str(), direction[axis], {name, 3, third}) || typed;
+  }
+  if (typed && direction != glm::dvec3(0.0)) present = direction;
+  Angles angles = angles_of(present.unit());
+  bool turned = number_field(ui, "azimuth", angles.azimuth_deg, {"az °", 1, half});
+  tooltip(ui, "Azimuth", "Angle about z, from x towards y, in degrees.");
+  ImGui::SameLine(0.0F, gap);
+  turned = number_field(ui, "elevation", angles.elevation_deg, {"el °", 1, half}) || turned;
+  tooltip(ui, "Elevation", "Angle above the xy plane, in degrees.");
+  if (turned) present = direction_of(angles);
+}
+
 void draw_direction_controls(const PanelContext& context, BallDrag& drag) {
   const Ui& ui = context.ui;
   draw_ball(context, drag, ui.px(k_ball_size));
-  const glm::vec2 ball_max = from_im(ImGui::GetItemRectMax());
+  const glm::vec2 ball_max = item_box().max;
   ImGui::SameLine(0.0F, ui.px(12));
   ImGui::BeginGroup();
   draw_axis_buttons(context);
-  if (icon_button(ui, {"flip", Icon::flip, "Flip: core and cavity change sides (X)"})) {
+  if (icon_button(ui, {"flip", Icon::flip, "Flip: core and cavity change sides (X)"}))
     context.edits.settings.direction = tidy(-context.edits.settings.direction.given());
-  }
   ImGui::SameLine(0.0F, ui.px(4));
-  if (icon_button(ui, {"along", Icon::up, "Look along the parting direction (0)"})) {
+  if (icon_button(ui, {"along", Icon::up, "Look along the parting direction (0)"}))
     context.edits.ask(&Commands::look_along_direction);
-  }
   ImGui::SameLine(0.0F, ui.px(4));
   if (icon_button(
           ui, {"bookmark", Icon::bookmark, "Bookmarks of directions", !context.state.bookmarks.empty()})) {
@@ -191,9 +183,8 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
     tooltip(ui, "Direction ball",
             "Drag to turn the parting direction; hold Ctrl to snap to the part's own directions.");
   }
-  if (mapped && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
+  if (mapped && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
     context.edits.sweep_choices.large_ball = !context.state.sweep_choices.large_ball;
-  }
 
   const bool dark = context.state.window.theme == Theme::dark;
   const BareBall bare{.light = dark ? IM_COL32(88, 93, 100, 255) : IM_COL32(255, 255, 255, 255),
@@ -210,18 +201,17 @@ void draw_ball(const PanelContext& context, BallDrag& drag, float size) {
     for (const FeatureDirection& feature : context.state.features) {
       for (const glm::dvec3& direction : {feature.direction, -feature.direction}) {
         const BallPoint point = ball.point(direction);
-        if (point.front) list.AddCircleFilled(im(ball.screen(point)), 2.5F * ui.scale, ui.colours->text);
+        if (point.front) list.AddCircleFilled(ball.screen(point), 2.5F * ui.scale, ui.colours->text);
       }
     }
   }
   if (mapped) draw_sweep_marks(ui, ball, sweep);
-  list.AddLine(im(ball.centre), im(at), faded(ui.colours->text, marker.front ? 0.8F : 0.3F), 1.5F * ui.scale);
+  list.AddLine(ball.centre, at, faded(ui.colours->text, marker.front ? 0.8F : 0.3F), 1.5F * ui.scale);
   if (marker.front) {
-    list.AddCircleFilled(im(at), 5.5F * ui.scale, mapped ? IM_COL32(20, 14, 18, 220) : IM_COL32(0, 0, 0, 70));
-    list.AddCircleFilled(im(at), 4.0F * ui.scale,
-                         dark || mapped ? IM_COL32_WHITE : IM_COL32(30, 32, 35, 255));
+    list.AddCircleFilled(at, 5.5F * ui.scale, mapped ? IM_COL32(20, 14, 18, 220) : IM_COL32(0, 0, 0, 70));
+    list.AddCircleFilled(at, 4.0F * ui.scale, dark || mapped ? IM_COL32_WHITE : IM_COL32(30, 32, 35, 255));
   } else {
-    list.AddCircle(im(at), 4.5F * ui.scale, faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);
+    list.AddCircle(at, 4.5F * ui.scale, faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);
   }
   draw_axis_names(ui, ball, at);
   if (read) describe_direction(context, ball_direction(ball.camera, {mouse, true}));

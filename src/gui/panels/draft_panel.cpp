@@ -122,9 +122,8 @@ void draw_bars(const PanelContext& context, const DraftChart& chart, const Draft
     return bin.from_deg >= DraftChart::k_from_deg && bin.to_deg <= DraftChart::k_to_deg;
   };
   double tallest = 0.0;
-  for (const DraftBin& bin : check.histogram) {
+  for (const DraftBin& bin : check.histogram)
     if (is_shown(bin)) tallest = std::max(tallest, bin.area[0] + bin.area[1]);
-  }
   const float gap = 0.5F * ui.scale, height = chart.box.max.y - chart.box.min.y;
   for (const DraftBin& bin : check.histogram) {
     if (!is_shown(bin) || tallest <= 0.0) continue;
@@ -303,7 +302,7 @@ void draw_draft_marks(const PanelContext& context) {
   if (state.hover) wall = wall_of_face(state, state.faces->of_facet[state.hover->point.facet]);
   if (wall == nullptr && state.face) wall = wall_of_face(state, state.face->number);
   if (wall == nullptr || !wall->foot_line) return;
-  const glm::ivec2 size(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
+  const glm::ivec2 size(screen_size());
   std::array<glm::vec2, 2> ends{};
   for (std::size_t k = 0; k < 2; ++k) {
     const auto pixel =
@@ -313,7 +312,7 @@ void draw_draft_marks(const PanelContext& context) {
   }
   const Ui& ui = context.ui;
   ImDrawList& list = scene_list();
-  list.AddLine(im(ends[0]), im(ends[1]), packed(k_block_mark), 3.0F * ui.scale);
+  list.AddLine(ends[0], ends[1], packed(k_block_mark), 3.0F * ui.scale);
   if (glm::distance(ends[0], ends[1]) > tag_size(ui, "foot").x)
     draw_tag(ui, 0.5F * (ends[0] + ends[1]), "foot", ui.colours->text);
 }

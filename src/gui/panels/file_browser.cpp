@@ -28,7 +28,8 @@ bool list_line(const Ui& ui, int index, const FileBrowser::Line& line, bool sele
   ImGui::PushID(index);
   const bool clicked = ImGui::InvisibleButton("line", ImVec2(room_left(), ui.px(k_row_height)));
   ImGui::PopID();
-  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const ScreenBox box = item_box();
+  const auto& [min, max] = box;
   if (!ImGui::IsItemVisible()) return clicked;
   ImDrawList& list = window_list();
   if (ImGui::IsItemHovered() || selected) list.AddRectFilled(min, max, ui.colours->field_hovered, ui.px(6));
@@ -41,7 +42,7 @@ bool list_line(const Ui& ui, int index, const FileBrowser::Line& line, bool sele
   draw_text(list, ui.text(), {min.x + ui.px(30), middle - 0.5F * ui.fonts.body.size},
             fitted(ui.fonts.body, line.path.filename().string(), max.x - min.x - ui.px(50) - note_width));
   draw_text_to(ui.note(), max.x - ui.px(10), middle - 0.5F * ui.fonts.small.size, note);
-  ui.memory->controls["file " + line.path.filename().string()] = {from_im(min), from_im(max)};
+  ui.memory->controls["file " + line.path.filename().string()] = box;
   return clicked;
 }
 
@@ -189,10 +190,7 @@ void FileBrowser::draw(const PanelContext& context) {
     enter(start.empty() || !fs::is_directory(start, ignored) ? fs::current_path(ignored) : start);
   }
   const Ui& ui = context.ui;
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  if (begin_dialog(
-          ui, "Open",
-          {std::min(ui.px(640), window.x - ui.px(32)), std::min(ui.px(520), window.y - ui.px(32))})) {
+  if (begin_dialog(ui, "Open", {ui.px(640), ui.px(520)})) {
     draw_head(context);
     const bool can_open = draw_list(context);
     if (button(ui, "Cancel", {.width = ui.px(96)})) context.edits.dialogs.browser = false;

@@ -38,8 +38,7 @@ void draw_draft_key(const PanelContext& context) {
   ImDrawList& list = window_list();
   for (std::size_t k = 0; k < scale.colours.size(); ++k) {
     const glm::vec2 min = start + glm::vec2(static_cast<float>(k) * step, 0.0F);
-    list.AddRectFilled(im(min), im(min + glm::vec2(step - ui.px(1), height)), packed(scale.colours[k]),
-                       ui.px(2));
+    list.AddRectFilled(min, min + glm::vec2(step - ui.px(1), height), packed(scale.colours[k]), ui.px(2));
   }
   for (std::size_t k = 0; k < scale.limits_deg.size(); ++k) {
     const double limit = scale.limits_deg[k];

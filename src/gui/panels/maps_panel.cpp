@@ -125,8 +125,7 @@ void draw_large_map(const PanelContext& context, const MapTextures& textures) {
   if (!context.state.dialogs.large_map) return;
   const Ui& ui = context.ui;
   const bool plus = *context.state.dialogs.large_map;
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  const float side = std::floor(0.82F * std::min(window.x, window.y));
+  const float side = std::floor(0.82F * std::min(screen_size().x, screen_size().y));
   if (begin_dialog(ui, "Large map", {side + ui.px(32), side + ui.px(72)})) {
     heading(ui, fmt::format("Shadow map from {}", caption(plus)));
     ImGui::SameLine();

@@ -84,41 +84,6 @@ void draw_height(const PanelContext& context, const RowOptions& numbers) {
   if (icon_button(ui, {"find the height", Icon::close, "Find the height again"})) given.reset();
 }
 
-}  // namespace
-
-std::string halves_refusal(const AppState& state) {
-  const MoldHalves& halves = state.mold.solids->halves;
-  const auto& place = halves.refused_at ? halves.refused_at : halves.written.refused_at;
-  const auto& line = state.mold.line;
-  return refusal_text(*state.model, halves, halves.written,
-                      place && line ? loop_near(line->line, *place) : std::string());
-}
-
-std::vector<HalvesLine> halves_lines(const AppState& state) {
-  const MoldState& mold = state.mold;
-  if (!mold.solids) return {};
-  const PartModel& model = *state.model;
-  const MoldHalves& halves = mold.solids->halves;
-  if (const std::string refusal = halves_refusal(state); !refusal.empty()) return {{refusal, true}};
-  const FigureStyle style(model);
-  const std::vector<FoundFigure> figures = found_figures(halves_figures(), halves);
-  std::vector<HalvesLine> lines = {{figures_line(style, figures, false)},
-                                   {figures_line(style, figures, true)}};
-  for (const std::string& fault : half_faults(model, halves)) lines.push_back({sentence_of(fault), true});
-  for (const std::string& missed : missed_lines(model, halves)) lines.push_back({missed, true});
-  if (const std::string unfilled = unfilled_text(model, state.settings.mold, halves); !unfilled.empty())
-    lines.push_back({"No files: " + unfilled, true});
-  else if (mold.by_action) {
-    const auto moved = std::ranges::count_if(
-        *mold.by_action, [](const InsertActions& insert) { return !insert.actions.empty(); });
-    if (moved > 0)
-      lines.push_back({fmt::format("{} insert{} with side actions", moved, moved == 1 ? " goes" : "s go")});
-  }
-  return lines;
-}
-
-namespace {
-
 void draw_mold_settings(const PanelContext& context) {
   const PartLengths lengths(context.state);
   RowOptions numbers = typed_numbers(context);
@@ -145,11 +110,10 @@ void draw_loop(const PanelContext& context, std::size_t number, const ScreenBox&
                                                   grouped(style.text(FigureKind::length, loop.low)),
                                                   length(loop.high), loop.steepest_deg)));
   tooltip(ui, fmt::format("Loop {}: {}", number + 1, loop_name(loop.kind)),
-          with_minus(
-              fmt::format("{} long, from {} to {} along the direction\nsteepest edge {:.0f}°, projected area "
-                          "{}\nClick to look at it.",
-                          length(loop.length), length(loop.low), length(loop.high), loop.steepest_deg,
-                          style.with_unit(FigureKind::area, std::abs(loop.area)))));
+          with_minus(fmt::format("{} long, from {} to {} along the direction\nsteepest edge {:.0f}°, "
+                                 "projected area {}\nClick to look at it.",
+                                 length(loop.length), length(loop.low), length(loop.high), loop.steepest_deg,
+                                 style.with_unit(FigureKind::area, std::abs(loop.area)))));
 }
 
 void draw_loops(const PanelContext& context, RowCursor& cursor) {
@@ -208,16 +172,43 @@ void draw_halves(const PanelContext& context) {
 
 /// What is known of the line, or of the halves; while one of them is found, how far that is.
 BarNews mold_news(const MoldState& mold, bool awaited, const std::string& known) {
-  if (awaited) {
-    const bool named = mold.running && !mold.running->stage.empty();
-    return {.text = named ? mold.running->stage + " …" : "finding the parting line …",
-            .progress = mold.running ? mold.running->fraction : 0.0};
-  }
+  if (awaited) return running_news(mold.running, "finding the parting line …");
   if (!mold.error.empty()) return {.text = mold.error, .warning = true};
   return {.text = known};
 }
 
 }  // namespace
+
+std::string halves_refusal(const AppState& state) {
+  const MoldHalves& halves = state.mold.solids->halves;
+  const auto& place = halves.refused_at ? halves.refused_at : halves.written.refused_at;
+  const auto& line = state.mold.line;
+  return refusal_text(*state.model, halves, halves.written,
+                      place && line ? loop_near(line->line, *place) : std::string());
+}
+
+std::vector<HalvesLine> halves_lines(const AppState& state) {
+  const MoldState& mold = state.mold;
+  if (!mold.solids) return {};
+  const PartModel& model = *state.model;
+  const MoldHalves& halves = mold.solids->halves;
+  if (const std::string refusal = halves_refusal(state); !refusal.empty()) return {{refusal, true}};
+  const FigureStyle style(model);
+  const std::vector<FoundFigure> figures = found_figures(halves_figures(), halves);
+  std::vector<HalvesLine> lines = {{figures_line(style, figures, false)},
+                                   {figures_line(style, figures, true)}};
+  for (const std::string& fault : half_faults(model, halves)) lines.push_back({sentence_of(fault), true});
+  for (const std::string& missed : missed_lines(model, halves)) lines.push_back({missed, true});
+  if (const std::string unfilled = unfilled_text(model, state.settings.mold, halves); !unfilled.empty())
+    lines.push_back({"No files: " + unfilled, true});
+  else if (mold.by_action) {
+    const auto moved = std::ranges::count_if(
+        *mold.by_action, [](const InsertActions& insert) { return !insert.actions.empty(); });
+    if (moved > 0)
+      lines.push_back({fmt::format("{} insert{} with side actions", moved, moved == 1 ? " goes" : "s go")});
+  }
+  return lines;
+}
 
 void draw_line_panel(const PanelContext& context, TableBar& bar) {
   const MoldState& mold = context.state.mold;

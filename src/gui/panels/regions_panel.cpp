@@ -25,7 +25,7 @@ void draw_swatch(const Ui& ui, Region region, const LookSettings& look, const gl
   const glm::vec2 max = min + glm::vec2(size);
   fill(list, {min, max}, packed(region_colour(region, look.palette)), ui.px(3));
   if (region != Region::undercut || !look.hatching) return;
-  list.PushClipRect(im(min), im(max), true);
+  list.PushClipRect(min, max, true);
   for (float offset = -size; offset < size; offset += ui.px(5)) {
     list.AddLine(ImVec2(min.x + offset, max.y), ImVec2(min.x + offset + size, min.y), IM_COL32(0, 0, 0, 110),
                  1.5F * ui.scale);
@@ -133,6 +133,33 @@ std::string tooltip_text(const VerdictCard& card) {
   return text;
 }
 
+/// By VerdictLight.
+constexpr std::array<ImU32, 4> k_lights = {IM_COL32(140, 146, 154, 255), IM_COL32(52, 178, 96, 255),
+                                           IM_COL32(240, 168, 40, 255), IM_COL32(226, 62, 54, 255)};
+
+/// What to do next, in one button: the mesh, a better direction, the undercuts.
+void draw_next(const PanelContext& context, const VerdictCard& card) {
+  const Ui& ui = context.ui;
+  if (!card.verdict) return;
+  const auto wide = [&](const std::string& label, const char* name) {
+    const bool pressed = button(ui, label, {.width = room_left(), .strong = false});
+    name_item(ui, name);
+    ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+    return pressed;
+  };
+  const SweepState& sweep = context.state.sweep;
+  const auto better = std::ranges::find_if(sweep.cards, &DirectionCard::offered);
+  if (card.verdict->state == VerdictState::unknown) {
+    if (wide("Show the faults of the mesh", "verdict repair")) context.edits.enter(Step::part);
+  } else if (better != sweep.cards.end() && !sweep.stale) {
+    if (wide(fmt::format("Go to {}", with_minus(better->name)), "verdict go"))
+      context.edits.ask(&Commands::fly_to_direction, better->direction);
+  } else if (card.verdict->undercuts + card.verdict->specks > 0) {
+    if (wide(card.verdict->undercuts > 0 ? "Show the undercuts" : "Show the tiny undercuts", "verdict show"))
+      show_undercuts(context);
+  }
+}
+
 }  // namespace
 
 void draw_regions_panel(const PanelContext& context) {
@@ -198,42 +225,11 @@ VerdictLight VerdictCard::light() const {
   return verdict->state == VerdictState::not_releasable ? VerdictLight::red : VerdictLight::gray;
 }
 
-namespace {
-
-/// By VerdictLight.
-constexpr std::array<ImU32, 4> k_lights = {IM_COL32(140, 146, 154, 255), IM_COL32(52, 178, 96, 255),
-                                           IM_COL32(240, 168, 40, 255), IM_COL32(226, 62, 54, 255)};
-
-/// What to do next, in one button: the mesh, a better direction, the undercuts.
-void draw_next(const PanelContext& context, const VerdictCard& card) {
-  const Ui& ui = context.ui;
-  if (!card.verdict) return;
-  const auto wide = [&](const std::string& label, const char* name) {
-    const bool pressed = button(ui, label, {.width = room_left(), .strong = false});
-    name_item(ui, name);
-    ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
-    return pressed;
-  };
-  const SweepState& sweep = context.state.sweep;
-  const auto better = std::ranges::find_if(sweep.cards, &DirectionCard::offered);
-  if (card.verdict->state == VerdictState::unknown) {
-    if (wide("Show the faults of the mesh", "verdict repair")) context.edits.enter(Step::part);
-  } else if (better != sweep.cards.end() && !sweep.stale) {
-    if (wide(fmt::format("Go to {}", with_minus(better->name)), "verdict go"))
-      context.edits.ask(&Commands::fly_to_direction, better->direction);
-  } else if (card.verdict->undercuts + card.verdict->specks > 0) {
-    if (wide(card.verdict->undercuts > 0 ? "Show the undercuts" : "Show the tiny undercuts", "verdict show"))
-      show_undercuts(context);
-  }
-}
-
-}  // namespace
-
 void draw_verdict(const PanelContext& context) {
   constexpr float k_line = 18.0F, k_low_window = 680.0F;
   const Ui& ui = context.ui;
   // In a low window the panels below need the room; the tooltip has it all.
-  const std::size_t most_lines = ImGui::GetIO().DisplaySize.y < ui.px(k_low_window) ? 2 : 4;
+  const std::size_t most_lines = screen_size().y < ui.px(k_low_window) ? 2 : 4;
   const VerdictCard verdict = verdict_card(context.state);
   const float alpha = context.state.figures.pale ? 0.4F : 1.0F;
   const float width = room_left();
@@ -247,7 +243,7 @@ void draw_verdict(const PanelContext& context) {
   tooltip(ui, "Verdict", tooltip_text(verdict));
   if (sentence.clicked) show_undercuts(context);
   const glm::vec2 middle = at + glm::vec2(ui.px(12), ui.px(11));
-  list.AddCircleFilled(im(middle), ui.px(verdict.good() ? 8 : 6),
+  list.AddCircleFilled(middle, ui.px(verdict.good() ? 8 : 6),
                        faded(k_lights[static_cast<std::size_t>(verdict.light())], alpha));
   if (verdict.good()) draw_icon(list, Icon::check, middle, ui.px(10), IM_COL32_WHITE);
   for (std::size_t k = 0; k < lines.size(); ++k)

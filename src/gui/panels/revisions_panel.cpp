@@ -1,6 +1,5 @@
 // Changes against another revision, along the bottom: a row a change.
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -204,10 +203,7 @@ void draw_changes(const PanelContext& context, RowCursor& cursor) {
 }
 
 BarNews revisions_news(const RevisionState& revisions) {
-  const auto& running = revisions.running;
-  if (revisions.awaited)
-    return {.text = running && !running->stage.empty() ? running->stage + " …" : "comparing …",
-            .progress = running ? running->fraction : 0.0};
+  if (revisions.awaited) return running_news(revisions.running, "comparing …");
   if (!revisions.error.empty()) return {.text = revisions.error, .warning = true, .tip = revisions.error};
   if (!revisions.result) return {};
   std::string text = comparison_verdict(revisions.result->comparison);

@@ -22,7 +22,7 @@ void draw_drop_zone(const PanelContext& context) {
   const glm::vec2 min = zone.box.min;
   ImDrawList& list = window_list();
   fill(list, {min, min + size}, field_colour(ui, {.hovered = zone.hovered}), ui.px(10));
-  list.AddRect(im(min), im(min + size), ui.colours->line, ui.px(10), 0, 1.5F * ui.scale);
+  list.AddRect(min, min + size, ui.colours->line, ui.px(10), 0, 1.5F * ui.scale);
   const auto centred = [&](const SizedFont& font, float top, ImU32 colour, std::string_view text) {
     draw_text(list, {font, colour}, {min.x + 0.5F * (size.x - text_size(font, text).x), min.y + ui.px(top)},
               text);
@@ -85,8 +85,7 @@ void draw_shipped(const PanelContext& context, std::span<const unsigned> thumbna
 
 void draw_start_page(const PanelContext& context, std::span<const unsigned> thumbnails) {
   if (context.state.model || context.state.dialogs.browser) return;
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  place_window(0.5F * from_im(window), glm::vec2(0.5F));
+  place_window(0.5F * screen_size(), glm::vec2(0.5F));
   ImGui::Begin("Start", nullptr,
                k_fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoBringToFrontOnFocus);

@@ -60,8 +60,7 @@ void draw_loading(const PanelContext& context) {
   if (!context.state.loading) return;
   const Ui& ui = context.ui;
   const Loading& loading = *context.state.loading;
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  place_window({0.5F * window.x, 0.62F * window.y}, {0.5F, 0.5F});
+  place_window(glm::vec2(0.5F, 0.62F) * screen_size(), {0.5F, 0.5F});
   ImGui::Begin("Loading", nullptr, k_card_window);
   const float width = ui.px(320);
   heading(ui, fitted(ui.fonts.strong, std::filesystem::path(loading.path).filename().string(), width));
@@ -122,7 +121,7 @@ void draw_hints(const PanelContext& context) {
   if (close.clicked) context.edits.hints_done.insert(place->hint);
   ImDrawList& list = window_list();
   list.PushClipRectFullScreen();
-  list.AddTriangleFilled(im(tip), im(at + across * ui.px(7)), im(at - across * ui.px(7)), ui.colours->accent);
+  list.AddTriangleFilled(tip, at + across * ui.px(7), at - across * ui.px(7), ui.colours->accent);
   list.PopClipRect();
   ImGui::End();
 }

@@ -1,6 +1,5 @@
 // The strip of steps along the top, what it says of each, and the panel of the one that is open.
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

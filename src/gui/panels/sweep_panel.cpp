@@ -59,16 +59,15 @@ void draw_sweep_options(const PanelContext& context) {
   SweepSettings& settings = context.edits.sweep_choices.options;
   // In a low window there is no room for what is seldom set.
   constexpr float k_low_window = 680.0F;
-  const bool low = ImGui::GetIO().DisplaySize.y < context.ui.px(k_low_window);
+  const bool low = screen_size().y < context.ui.px(k_low_window);
   static const std::vector<Option<SweepSettings>> k_usual = [] {
     std::vector<Option<SweepSettings>> usual(sweep_options().begin(), sweep_options().end());
     std::erase_if(usual, [](const auto& option) { return option.key == "worth_pct"; });
     return usual;
   }();
   option_table<SweepSettings>(context.ui, low ? std::span(k_usual) : sweep_options(), settings, numbers);
-  for (const Option<SweepSettings>& option : sweep_options()) {
+  for (const Option<SweepSettings>& option : sweep_options())
     if (is_wide(option)) option_row(context.ui, option, settings, numbers);
-  }
 }
 
 /// Two halves, one of them filled.
@@ -83,8 +82,8 @@ bool compare_button(const Ui& ui, const glm::vec2& centre, bool chosen) {
     list.AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
                        chosen ? ui.colours->field_active : ui.colours->field_hovered, ui.px(6));
   }
-  list.AddRect(im(centre - half), im(centre + half), colour, ui.px(2), 0, 1.25F * ui.scale);
-  list.AddRectFilled(ImVec2(centre.x, centre.y - half.y), im(centre + half), colour, ui.px(2));
+  list.AddRect(centre - half, centre + half, colour, ui.px(2), 0, 1.25F * ui.scale);
+  list.AddRectFilled(ImVec2(centre.x, centre.y - half.y), centre + half, colour, ui.px(2));
   tooltip(ui, {}, chosen ? "Back to one picture" : "Show it beside the present direction");
   return clicked;
 }
@@ -247,7 +246,7 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
   const std::shared_ptr<const SweepResult>& result = context.state.sweep.result;
   const bool fresh = result_ != result;
   const std::size_t count = result->candidates.size();
-  const float room = k_sweep_share * ImGui::GetIO().DisplaySize.y;
+  const float room = k_sweep_share * screen_size().y;
   const float fits = std::max(std::floor(room / ui.px(k_direction_row)), 2.0F),
               all = static_cast<float>(count);
   const Figures figures = fitting_columns(ui, *result);
@@ -274,9 +273,8 @@ void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigne
     clipper.Begin(static_cast<int>(count), ui.px(k_direction_row));
     cursor_.scroll(ui.px(k_direction_row), std::min(fits, all) * ui.px(k_direction_row));
     while (clipper.Step()) {
-      for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
+      for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k)
         draw_row(context, figures, static_cast<std::size_t>(k), pictures);
-      }
     }
     ImGui::EndTable();
     if (const auto pressed = cursor_.follow(ui, "table", static_cast<std::size_t>(fits), count))
@@ -301,24 +299,23 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   const bool clicked = ImGui::Selectable(
       "##row", here, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
       ImVec2(0.0F, ui.px(k_direction_row)));
-  const glm::vec2 min = from_im(ImGui::GetItemRectMin()), max = from_im(ImGui::GetItemRectMax());
+  const ScreenBox box = item_box();
   if (cursor_.is_at(place))
-    window_list().AddRect(im(min), im(max), ui.colours->accent, ui.px(4), 0, 1.5F * ui.scale);
-  ui.memory->controls[fmt::format("direction {}", candidate.rank)] = {min, max};
+    window_list().AddRect(box.min, box.max, ui.colours->accent, ui.px(4), 0, 1.5F * ui.scale);
+  ui.memory->controls[fmt::format("direction {}", candidate.rank)] = box;
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
                                             ImGuiHoveredFlags_AllowWhenOverlapped);
   std::string tip = reasons_text(candidate.candidate, candidate.candidate.sources.size());
   if (candidate.pareto)
     tip += "\nNo other direction listed is better in undercut area, number of undercuts and depth at once.";
-  if (const auto& tilt = candidate.tilt; tilt && !tilt->at_least()) {
+  if (const auto& tilt = candidate.tilt; tilt && !tilt->at_least())
     tip += fmt::format("\nTilts {:.2f}° at most, towards {}.", tilt->deg, direction_text(tilt->toward, 3));
-  }
   if (candidate.axis) tip += "\n" + with_minus(axis_beside_text(*context.state.model, candidate));
   if (begin_tooltip(ui)) {
     heading(ui, fmt::format("{}: {}", candidate.rank, with_minus(direction_words(direction))));
     draw_item_text(ui.colours->muted, tip);
     const glm::vec2 pixels(candidate_picture_size(ui.scale)), at = cursor_at();
-    ImGui::Dummy(im(pixels));
+    ImGui::Dummy(pixels);
     draw_picture(window_list(), index < pictures.size() ? pictures[index] : 0, {at, at + pixels}, ui.px(4));
     end_tooltip();
   }
@@ -327,7 +324,7 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   const auto cell = [&](const SizedFont& font, ImU32 colour, const std::string& text, bool to_the_right) {
     const float inset = to_the_right ? room_left() - text_size(font, text).x : 0.0F;
     draw_text(list, {font, colour},
-              {ImGui::GetCursorScreenPos().x + inset, 0.5F * (min.y + max.y - font.size)}, text);
+              {ImGui::GetCursorScreenPos().x + inset, box.centre().y - 0.5F * font.size}, text);
   };
   const ImU32 normal = ui.colours->text, quiet = ui.colours->muted;
   ImGui::SameLine(0.0F, 0.0F);
@@ -347,7 +344,7 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
   ImGui::TableNextColumn();
   const float room = room_left() - ui.px(comparable ? k_row_height + 6 : 0.0F);
   cell(ui.fonts.small, quiet, fitted(ui.fonts.small, reasons_text(candidate.candidate), room), false);
-  if (comparable && compare_button(ui, {max.x - ui.px(16), 0.5F * (min.y + max.y)}, chosen)) {
+  if (comparable && compare_button(ui, {box.max.x - ui.px(16), box.centre().y}, chosen)) {
     compared = chosen ? std::nullopt : std::optional(index);
   } else if (clicked) {
     context.edits.ask(&Commands::fly_to_direction, direction);

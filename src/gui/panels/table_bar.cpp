@@ -7,6 +7,11 @@
 
 namespace moldlight::gui {
 
+BarNews running_news(const std::optional<JobStatus>& running, const char* usual) {
+  const bool named = running && !running->stage.empty();
+  return {.text = named ? running->stage + " …" : usual, .progress = running ? running->fraction : 0.0};
+}
+
 void TableBar::draw_inside(const PanelContext& context, const TableBarParts& parts) {
   constexpr float k_line = 16.0F;  // layout units
   constexpr std::size_t k_most_lines = 4;

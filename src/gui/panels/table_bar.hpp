@@ -22,6 +22,9 @@ struct BarNews {
   std::string tip = {};
 };
 
+/// That something is being found: its stage, or `usual` while it has none.
+[[nodiscard]] BarNews running_news(const std::optional<JobStatus>& running, const char* usual);
+
 struct TableBarParts {
   const char* options =
       nullptr;  // name of the settings' button among the controls; without settings: nothing

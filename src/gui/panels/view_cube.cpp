@@ -60,15 +60,15 @@ void draw_name(ImDrawList& list, const Lettering& lettering, const Face& face, s
   const glm::vec2 size = text_size(lettering.font, name);
   // Drawn in place, as what lies outside the window is left out.
   const glm::vec2 corner = face.centre - 0.5F * size;
-  list.AddText(lettering.font.font, lettering.font.size, im(corner), lettering.colour, name.data(),
+  list.AddText(lettering.font.font, lettering.font.size, corner, lettering.colour, name.data(),
                name.data() + name.size());
   glm::vec2 low = face.centre, high = face.centre;
   for (int k = first; k < list.VtxBuffer.Size; ++k) {
-    ImVec2& at = list.VtxBuffer[k].pos;
-    const glm::vec2 on_face((at.x - face.centre.x) / face.half, (face.centre.y - at.y) / face.half);
-    at = im(face.centre + on_face.x * face.right + on_face.y * face.up);
-    low = glm::min(low, from_im(at));
-    high = glm::max(high, from_im(at));
+    const glm::vec2 flat = (glm::vec2(list.VtxBuffer[k].pos) - face.centre) / face.half;
+    const glm::vec2 at = face.centre + flat.x * face.right - flat.y * face.up;
+    list.VtxBuffer[k].pos = at;
+    low = glm::min(low, at);
+    high = glm::max(high, at);
   }
   note_text(list, lettering.colour, {low, high}, name);
 }
@@ -85,7 +85,7 @@ void draw_view_cube(const PanelContext& context) {
                       : context.state.sweep_choices.compared ? k_comparison_height
                                                              : 0.0F;
   const glm::vec2 corner(static_cast<float>(area.max.x) - size - ui.px(8), ui.px(k_bar_height + 8 + below));
-  ImGui::SetNextWindowPos(im(corner));
+  ImGui::SetNextWindowPos(corner);
   ImGui::SetNextWindowSize(ImVec2(size, size));
   ImGui::Begin("View cube", nullptr,
                k_fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus);
@@ -104,9 +104,9 @@ void draw_view_cube(const PanelContext& context) {
         dark ? mixed(IM_COL32(54, 58, 64, 250), IM_COL32(84, 89, 96, 250), static_cast<float>(face.facing))
              : mixed(IM_COL32(190, 195, 200, 240), IM_COL32(252, 252, 253, 240),
                      static_cast<float>(face.facing));
-    list.AddQuadFilled(im(corners[0]), im(corners[1]), im(corners[2]), im(corners[3]),
+    list.AddQuadFilled(corners[0], corners[1], corners[2], corners[3],
                        under_mouse ? ui.colours->accent : lit);
-    list.AddQuad(im(corners[0]), im(corners[1]), im(corners[2]), im(corners[3]), IM_COL32(0, 0, 0, 60), 1.0F);
+    list.AddQuad(corners[0], corners[1], corners[2], corners[3], IM_COL32(0, 0, 0, 60), 1.0F);
     if (face.facing > k_least_facing) {
       draw_name(list, {ui.fonts.small, under_mouse ? ui.colours->on_accent : ui.colours->text}, face,
                 side.name);

@@ -142,9 +142,8 @@ void draw_settings(const PanelContext& context) {
       option_row(ui, option, context.edits.window);
     ImGui::Dummy(ImVec2(1, ui.px(4)));
     bool beside = context.state.notes_beside;
-    if (context.state.model && toggle(ui, {"Keep settings and bookmarks beside the part"}, beside)) {
+    if (context.state.model && toggle(ui, {"Keep settings and bookmarks beside the part"}, beside))
       context.edits.ask(&Commands::save_notes_beside, beside);
-    }
     if (button(ui, "Put the panels back in place")) context.edits.ask(&Commands::reset_layout);
     ImGui::SameLine();
     if (button(ui, "Close", {.width = 0.0F, .strong = true})) context.edits.dialogs.settings = false;

@@ -90,9 +90,8 @@ std::vector<std::string> shipped_parts() {
   const fs::path program = program_folder();
   std::vector<fs::path> folders = {program / "../share/moldlight/parts"};
   // A program that was built but not installed stands some folders below the source tree.
-  for (fs::path folder = program; folder.has_relative_path(); folder = folder.parent_path()) {
+  for (fs::path folder = program; folder.has_relative_path(); folder = folder.parent_path())
     folders.push_back(folder / "assets/parts");
-  }
   for (const fs::path& folder : folders) {
     if (!fs::is_directory(folder, error)) continue;
     std::vector<std::string> parts;

@@ -1,5 +1,4 @@
-// The user's settings and bookmarks for one part, in a small JSON beside or away from
-// it.
+// The user's settings and bookmarks for one part, in a small JSON beside or away from it.
 #pragma once
 
 #include <optional>

@@ -68,9 +68,8 @@ std::string user_state_json(const UserState& state) {
   json["sweep"] = options_json(sweep_options(), state.sweep);
   json["recent"] = state.recent;
   json["hints_done"] = Json::array();
-  for (const auto& [name, hint] : k_hint_names) {
+  for (const auto& [name, hint] : k_hint_names)
     if (state.hints_done.contains(hint)) json["hints_done"].push_back(name);
-  }
   return json.dump(2) + "\n";
 }
 

@@ -52,6 +52,18 @@ Camera clearest_view(const PartModel& model, const glm::dvec3& direction, const 
 
 }  // namespace
 
+std::vector<unsigned> textures_of(const PictureTargets& pictures) {
+  std::vector<unsigned> names;
+  for (const auto& picture : pictures) names.push_back(picture ? picture->texture() : 0);
+  return names;
+}
+
+gl::ColourTarget& sized(std::optional<gl::ColourTarget>& picture, const gl::Context& context,
+                        const glm::ivec2& size) {
+  if (!picture || picture->size() != size) picture.emplace(context.functions(), size);
+  return *picture;
+}
+
 PartThumbnails::PartThumbnails(const gl::Context& context, std::vector<std::string> parts,
                                std::function<void()> wake)
     : context_(&context),
@@ -82,12 +94,6 @@ void PartThumbnails::update(int size_px, Theme theme) {
   if (job_.running() || finished()) return;
   job_.start(
       [path = parts_[next_]](const Progress& progress) { return load_for_window(path, {}, progress); });
-}
-
-std::vector<unsigned> PartThumbnails::textures() const {
-  std::vector<unsigned> names;
-  for (const auto& picture : pictures_) names.push_back(picture ? picture->texture() : 0);
-  return names;
 }
 
 BatchPictures::BatchPictures(const gl::Context& context, std::string batch_folder)
@@ -154,16 +160,9 @@ bool CandidatePictures::draw_next(const ViewSettings& view, const glm::ivec2& si
   scene.view.settings.pixel_scale = k_thin * view.pixel_scale;
   scene.view.settings.arrows = false;
   scene.view.camera = clearest_view(*scene_.part().model, candidate.candidate.direction, size_px);
-  for (int pass = 0; pass < k_refinements; ++pass) {
+  for (int pass = 0; pass < k_refinements; ++pass)
     if (!scene_.draw({.framebuffer = (*missing)->framebuffer(), .size = size_px}, scene)) break;
-  }
   return std::find(missing, small_.end(), std::nullopt) != small_.end();
-}
-
-std::vector<unsigned> CandidatePictures::textures() const {
-  std::vector<unsigned> names;
-  for (const auto& target : small_) names.push_back(target ? target->texture() : 0);
-  return names;
 }
 
 bool CandidatePictures::draw_beside(const SplitView& split, SceneSettings settings) {
@@ -178,8 +177,8 @@ bool CandidatePictures::draw_beside(const SplitView& split, SceneSettings settin
   }
   if (auto found = job_.take(); found && found->result) split_ = std::move(found->result);
   settings.split = split_ && split_->of == settings.query ? split_->mesh : nullptr;
-  static_cast<void>(beside(split.size));
-  return scene_.draw({.framebuffer = beside_->framebuffer(), .size = split.size}, settings);
+  const gl::ColourTarget& target = sized(beside_, *context_, split.size);
+  return scene_.draw({target.framebuffer(), split.size}, settings);
 }
 
 }  // namespace moldlight::gui

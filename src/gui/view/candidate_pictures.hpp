@@ -20,6 +20,14 @@
 
 namespace moldlight::gui {
 
+/// Pictures of which some may still be missing.
+using PictureTargets = std::vector<std::optional<gl::ColourTarget>>;
+/// Names of their textures; 0 for those that are missing.
+[[nodiscard]] std::vector<unsigned> textures_of(const PictureTargets& pictures);
+/// The picture, which is made anew where it has another size or is missing.
+[[nodiscard]] gl::ColourTarget& sized(std::optional<gl::ColourTarget>& picture, const gl::Context& context,
+                                      const glm::ivec2& size);
+
 /// Needs its context current at every call.
 class PartThumbnails {
  public:
@@ -28,13 +36,13 @@ class PartThumbnails {
   /// Goes on with the work; call it every frame in which the pictures are to be seen.
   void update(int size_px, Theme theme);
   /// One texture a part, in their order; 0 where there is none yet.
-  [[nodiscard]] std::vector<unsigned> textures() const;
+  [[nodiscard]] std::vector<unsigned> textures() const { return textures_of(pictures_); }
   [[nodiscard]] bool finished() const { return next_ >= parts_.size(); }
 
  private:
   const gl::Context* context_;
   std::vector<std::string> parts_;
-  std::vector<std::optional<gl::ColourTarget>> pictures_;
+  PictureTargets pictures_;
   Job<LoadedPart> job_;
   std::size_t next_ = 0;  // the part that is loaded next or now
   int size_px_ = 0;
@@ -89,16 +97,13 @@ class CandidatePictures {
   /// `view` count. Returns true while more are missing.
   bool draw_next(const ViewSettings& view, const glm::ivec2& size_px);
   /// Names of textures, a candidate each; 0 until it is drawn.
-  [[nodiscard]] std::vector<unsigned> textures() const;
+  [[nodiscard]] std::vector<unsigned> textures() const { return textures_of(small_); }
 
   /// Draws the large picture; returns true while drawing the same again would refine it. Its split mesh is
   /// found in the background; until it is there, regions are those of the maps.
   bool draw_beside(const SplitView& split, SceneSettings settings);
-  /// Size and texture of the large picture.
-  [[nodiscard]] unsigned beside(const glm::ivec2& size) {
-    if (!beside_ || beside_->size() != size) beside_.emplace(context_->functions(), size);
-    return beside_->texture();
-  }
+  /// Texture of the large picture, which gets this size.
+  [[nodiscard]] unsigned beside(const glm::ivec2& size) { return sized(beside_, *context_, size).texture(); }
 
   [[nodiscard]] const std::shared_ptr<const SweepResult>& result() const { return result_; }
 
@@ -110,7 +115,7 @@ class CandidatePictures {
     Query of;
     std::shared_ptr<const SplitMesh> mesh;
   };
-  std::vector<std::optional<gl::ColourTarget>> small_;
+  PictureTargets small_;
   std::optional<gl::ColourTarget> beside_;
   Theme theme_ = Theme::dark;
   Palette palette_ = Palette::paper;

@@ -34,9 +34,8 @@ glm::dvec3 nudged(const glm::dvec3& direction, const glm::dvec3& toward, const g
 glm::dvec3 tidy(const glm::dvec3& direction) {
   glm::dvec3 unit = unit_direction(direction);
   for (int axis = 0; axis < 3; ++axis) {
-    for (const double round : {-1.0, 0.0, 1.0}) {
+    for (const double round : {-1.0, 0.0, 1.0})
       if (std::abs(unit[axis] - round) < 1e-12) unit[axis] = round;
-    }
   }
   return unit;
 }

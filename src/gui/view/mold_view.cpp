@@ -167,7 +167,7 @@ void draw_height_handle(const Ui& ui, const AppState& state, const FreeArea& fre
   for (const glm::dvec3& corner : handle->outline) {
     const auto seen = project(state.camera, size, corner);
     if (!seen) return;
-    outline.push_back(im(glm::vec2(*seen)));
+    outline.push_back(glm::vec2(*seen));
   }
   const auto seen = project(state.camera, size, handle->at);
   if (!seen) return;
@@ -178,8 +178,8 @@ void draw_height_handle(const Ui& ui, const AppState& state, const FreeArea& fre
   list.AddPolyline(outline.data(), 4, faded(ui.colours->text, lively ? 0.85F : 0.3F), ImDrawFlags_Closed,
                    1.3F * ui.scale);
   const float radius = ui.px(lively ? 10 : 9);
-  list.AddCircleFilled(im(at), radius + 1.0F, ui.colours->panel);
-  list.AddCircle(im(at), radius, ink, 0, 1.5F * ui.scale);
+  list.AddCircleFilled(at, radius + 1.0F, ui.colours->panel);
+  list.AddCircle(at, radius, ink, 0, 1.5F * ui.scale);
   for (const float way : {-1.0F, 1.0F}) {
     const float y = at.y + way * ui.px(2), tip = at.y + way * ui.px(6), half = ui.px(3.5F);
     list.AddTriangleFilled(ImVec2(at.x - half, y), ImVec2(at.x + half, y), ImVec2(at.x, tip), ink);
@@ -191,7 +191,7 @@ void draw_height_handle(const Ui& ui, const AppState& state, const FreeArea& fre
       "halves meet at " +
       with_minus(FigureStyle(*state.model).with_unit(FigureKind::length, parting_height(state)));
   const glm::vec2 room = 0.5F * tag_size(ui, text);
-  const float right = ImGui::GetIO().DisplaySize.x;
+  const float right = screen_size().x;
   const float side = at.x + ui.px(18) + 2.0F * room.x < right ? 1.0F : -1.0F;
   draw_tag(ui, at + glm::vec2(side * (ui.px(18) + room.x), 0.0F), text, ui.colours->text);
 }

@@ -25,18 +25,6 @@ constexpr Colour k_chosen = {255, 246, 214};
 constexpr double k_nearer = 0.003;
 constexpr double k_least_change_reach = 0.04;  // of a picture of a change, unit frame
 
-/// What of a convex polygon lies below the plane, in the unit frame.
-std::vector<glm::dvec3> kept(const std::vector<glm::dvec3>& polygon, const CutPlane& cut) {
-  std::vector<glm::dvec3> rest;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const glm::dvec3 &from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
-    const double a = glm::dot(from, cut.normal) - cut.offset, b = glm::dot(to, cut.normal) - cut.offset;
-    if (a <= 0.0) rest.push_back(from);
-    if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) rest.push_back(from + a / (a - b) * (to - from));
-  }
-  return rest;
-}
-
 /// Sheets on the surface, flat.
 class Sheets {
  public:
@@ -46,9 +34,9 @@ class Sheets {
   }
 
   void add(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
-    std::vector<glm::dvec3> polygon;
+    ConvexPolygon polygon;
     for (const glm::dvec3& corner : corners) polygon.push_back((corner - frame_.center) / frame_.diagonal);
-    if (cut_) polygon = kept(polygon, *cut_);
+    if (cut_) polygon = parted(polygon, {cut_->normal, cut_->offset}, 0.0).inside;
     const auto first = static_cast<VertexIndex>(body.vertices.size());
     for (const glm::dvec3& corner : polygon)
       body.vertices.push_back({glm::vec3(corner), octahedral(glm::vec3(normal))});
@@ -245,7 +233,7 @@ glm::dquat seen_from(const AppState& state, std::size_t change) {
 }
 
 void draw_revision_names(const Ui& ui, const AppState& state, const SplitView& split, int side) {
-  const float window = ImGui::GetIO().DisplaySize.x, left = static_cast<float>(split.left);
+  const float window = screen_size().x, left = static_cast<float>(split.left);
   const auto draw = [&](float from, float to, std::string_view what, const std::string& path) {
     const float room = to - from - ui.px(24);
     const std::string text =
@@ -265,7 +253,6 @@ RevisionPicture::RevisionPicture(const gl::Context& context, std::shared_ptr<con
     : context_(&context), revision_(std::move(revision)), scene_(context, revision_->part) {}
 
 bool RevisionPicture::draw(const AppState& state, const SplitView& split, SceneSettings settings) {
-  static_cast<void>(beside(split.size));
   const FrameTie tie = tie_of(state, *revision_);
   const RevisionState& revisions = state.revisions;
   settings.view.camera = tie.camera(split.camera);
@@ -282,7 +269,8 @@ bool RevisionPicture::draw(const AppState& state, const SplitView& split, SceneS
   // Until exact regions are known, maps that rest are all there is.
   settings.maps_looked_at = settings.maps_looked_at || !settings.split;
   scene_.take_bodies(lit_.of(state, true, settings.view.settings.cut));
-  return scene_.draw({.framebuffer = target_->framebuffer(), .size = split.size}, settings);
+  const gl::ColourTarget& target = sized(target_, *context_, split.size);
+  return scene_.draw({target.framebuffer(), split.size}, settings);
 }
 
 }  // namespace moldlight::gui

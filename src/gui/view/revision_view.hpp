@@ -81,10 +81,7 @@ class RevisionPicture {
   /// refine it.
   bool draw(const AppState& state, const SplitView& split, SceneSettings settings);
   /// The texture that it is drawn into.
-  [[nodiscard]] unsigned beside(const glm::ivec2& size) {
-    if (!target_ || target_->size() != size) target_.emplace(context_->functions(), size);
-    return target_->texture();
-  }
+  [[nodiscard]] unsigned beside(const glm::ivec2& size) { return sized(target_, *context_, size).texture(); }
   /// What it shows at a pixel of its half.
   [[nodiscard]] std::optional<PickedPoint> pick(const glm::ivec2& pixel) const { return scene_.pick(pixel); }
   [[nodiscard]] const std::shared_ptr<const PreparedRevision>& of() const { return revision_; }

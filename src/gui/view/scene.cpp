@@ -4,11 +4,7 @@
 
 namespace moldlight::gui {
 
-namespace {
-
 constexpr double k_fill = 0.92;  // of the free area
-
-}  // namespace
 
 Scene::Scene(const gl::Context& context, const LoadedPart& part)
     : context_(&context),

@@ -110,9 +110,8 @@ bool is_along(const SideAction& action, const glm::dvec3& direction) {
 }
 
 std::optional<std::size_t> own_direction(const ActionSettings& settings, const glm::dvec3& direction) {
-  for (std::size_t k = 0; k < settings.side_directions.size(); ++k) {
+  for (std::size_t k = 0; k < settings.side_directions.size(); ++k)
     if (glm::dot(glm::normalize(settings.side_directions[k]), direction) > k_same_cosine) return k;
-  }
   return std::nullopt;
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "classify/figure_table.hpp"
@@ -25,9 +24,8 @@ constexpr double k_narrow_deg = 1e-3;  // an interval that is none
 std::vector<ImVec2> on_screen(const Camera& camera, const glm::ivec2& size,
                               const std::vector<glm::dvec3>& points) {
   std::vector<ImVec2> found;
-  for (const glm::dvec3& point : points) {
-    if (const auto at = project(camera, size, point)) found.push_back(im(glm::vec2(*at)));
-  }
+  for (const glm::dvec3& point : points)
+    if (const auto at = project(camera, size, point)) found.push_back(glm::vec2(*at));
   return found;
 }
 
@@ -46,7 +44,7 @@ std::optional<std::vector<ImVec2>> on_screen(const AppState& state, const glm::i
   for (const glm::dvec3& corner : loop) {
     const auto at = project(state.camera, size, glm::dvec3(state.model->frame.to_unit(corner + way)));
     if (!at) return std::nullopt;
-    points.push_back(im(glm::vec2(*at)));
+    points.push_back(glm::vec2(*at));
   }
   return points;
 }
@@ -108,11 +106,11 @@ void draw_side_arrow(const Ui& ui, const AppState& state, const glm::ivec2& size
                                       turned_about(axis, parting, from + (to - from) * k / steps));
     const std::vector<ImVec2> arc = on_screen(camera, size, rim);
     for (std::size_t k = 1; k < arc.size(); ++k)
-      list.AddTriangleFilled(im(glm::vec2(*foot)), arc[k - 1], arc[k], faded(ui.colours->accent, 0.22F));
+      list.AddTriangleFilled(glm::vec2(*foot), arc[k - 1], arc[k], faded(ui.colours->accent, 0.22F));
     stroke(list, arc, shade, 4.5F * ui.scale);
     stroke(list, arc, ui.colours->accent, 2.5F * ui.scale);
     for (const ImVec2& edge : {arc.front(), arc.back()})
-      list.AddLine(im(glm::vec2(*foot)), edge, faded(ui.colours->accent, 0.7F), 1.0F * ui.scale);
+      list.AddLine(glm::vec2(*foot), edge, faded(ui.colours->accent, 0.7F), 1.0F * ui.scale);
   }
 
   const glm::vec2 from(*foot), at(*end), along = at - from;
@@ -121,15 +119,14 @@ void draw_side_arrow(const Ui& ui, const AppState& state, const glm::ivec2& size
                   aside(-forward.y, forward.x);
   const float head = std::min(ui.px(13), 0.8F * length);
   const glm::vec2 neck = at - forward * head;
-  list.AddCircleFilled(im(from), ui.px(4) + 1.0F, shade);
-  list.AddCircleFilled(im(from), ui.px(4), ink);
-  list.AddLine(im(from), im(neck), shade, 5.0F * ui.scale);
-  list.AddTriangleFilled(im(at + forward * 2.0F * ui.scale),
-                         im(neck - forward * ui.scale + aside * 0.62F * head),
-                         im(neck - forward * ui.scale - aside * 0.62F * head), shade);
-  list.AddLine(im(from), im(neck), ink, 2.5F * ui.scale);
-  list.AddTriangleFilled(im(at), im(neck + aside * 0.5F * head), im(neck - aside * 0.5F * head), ink);
-  if (lively) list.AddCircle(im(at), ui.px(12), faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);
+  list.AddCircleFilled(from, ui.px(4) + 1.0F, shade);
+  list.AddCircleFilled(from, ui.px(4), ink);
+  list.AddLine(from, neck, shade, 5.0F * ui.scale);
+  list.AddTriangleFilled(at + forward * 2.0F * ui.scale, neck - forward * ui.scale + aside * 0.62F * head,
+                         neck - forward * ui.scale - aside * 0.62F * head, shade);
+  list.AddLine(from, neck, ink, 2.5F * ui.scale);
+  list.AddTriangleFilled(at, neck + aside * 0.5F * head, neck - aside * 0.5F * head, ink);
+  if (lively) list.AddCircle(at, ui.px(12), faded(ui.colours->text, 0.6F), 0, 1.5F * ui.scale);
   const glm::vec2 reach(ui.px(12));
   ui.memory->controls["side arrow"] = {at - reach, at + reach};
 
@@ -164,8 +161,8 @@ void draw_undercut_window(const Ui& ui, const AppState& state, const glm::ivec2&
     list.AddPolyline(outer->data(), count, shade, ImDrawFlags_Closed, 4.5F * ui.scale);
     list.AddPolyline(outer->data(), count, ink, ImDrawFlags_Closed, 2.5F * ui.scale);
     for (const ImVec2& corner : *outer) {
-      box.min = glm::min(box.min, from_im(corner));
-      box.max = glm::max(box.max, from_im(corner));
+      box.min = glm::min(box.min, glm::vec2(corner));
+      box.max = glm::max(box.max, glm::vec2(corner));
     }
   }
   ui.memory->controls["undercut window"] = box;

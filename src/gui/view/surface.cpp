@@ -12,13 +12,9 @@
 
 namespace moldlight::gui {
 
-namespace {
-
 /// Around a point, of which the shortest span is taken: an odd number, so that none is another one backwards.
 constexpr int k_span_ways = 61;
 constexpr double k_level = 1e-6;  // of a cross product; a shorter one has no direction
-
-}  // namespace
 
 Hover describe(const PartModel& model, const Query& query, const PickedPoint& point) {
   const glm::dvec3& normal = model.geometry.normals[point.facet];

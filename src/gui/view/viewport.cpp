@@ -56,6 +56,19 @@ void draw_name(const Ui& ui, const ArrowOnScreen& arrow, std::string_view name, 
   draw_whole_tag(ui, middle, name, colour);
 }
 
+/// How far along the arrow the mouse has gone since it was pressed, in lengths of the scene; nothing where
+/// the arrow is not seen. Where it runs towards the eye, up is out.
+std::optional<double> way_along(const Camera& camera, const glm::ivec2& size, const ViewArrow& arrow) {
+  const auto tail = project(camera, size, arrow.tail), tip = project(camera, size, arrow.tip);
+  if (!tail || !tip) return std::nullopt;
+  // Pixels by which a way of a unit is seen.
+  glm::dvec2 unit = (*tip - *tail) / glm::distance(arrow.tip, arrow.tail);
+  const double pixels = 1.0 / pixel_length(camera, size);
+  if (glm::length(unit) < k_least_way * pixels) unit = {0.0, -pixels};
+  const glm::dvec2 by(mouse_at() - glm::vec2(ImGui::GetIO().MouseClickedPos[0]));
+  return glm::dot(by, unit) / glm::dot(unit, unit);
+}
+
 }  // namespace
 
 /// Nothing for one that is not shown.
@@ -126,8 +139,7 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   if (!dragging() && on_scene) {
     for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section, Arrow::side, Arrow::height}) {
       const auto shown = arrow(state, frame, each);
-      if (shown && !frame.in_second(from_im(io.MousePos)) &&
-          glm::distance(shown->tip, from_im(io.MousePos)) < ui.px(k_tip_reach))
+      if (shown && !frame.in_second(mouse_at()) && glm::distance(shown->tip, mouse_at()) < ui.px(k_tip_reach))
         near_tip_ = each;
     }
     const bool chooses = frame.line_shown && state.mold.line && !near_tip_ && !edits.measuring &&
@@ -137,20 +149,18 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
           state.hover ? std::optional(glm::dvec3(state.hover->point.position)) : std::nullopt;
       near_loop_ = loop_under(*state.mold.line, state.camera,
                               {.size = frame.size,
-                               .at = glm::dvec2(from_im(io.MousePos)),
+                               .at = glm::dvec2(mouse_at()),
                                .reach_px = static_cast<double>(ui.px(k_line_reach)),
                                .surface = surface});
     }
-    for (int button = 0; button < 3; ++button) {
+    for (int button = 0; button < 3; ++button)
       if (io.MouseClicked[button]) start(state, frame, button);
-    }
     const bool gives = edits.mold_choices.moves_faces || !edits.draft_choices.kind.empty();
-    if (io.MouseDoubleClicked[0] && state.hover && !near_tip_ && !edits.measuring && !gives) {
+    if (io.MouseDoubleClicked[0] && state.hover && !near_tip_ && !edits.measuring && !gives)
       edits.ask(io.KeyAlt ? &Commands::take_axis : &Commands::take_normal);
-    }
     if (io.MouseWheel != 0.0F) {
       edits.camera = zoomed(edits.camera, std::pow(k_zoom_per_notch, io.MouseWheel),
-                            glm::dvec2(frame.in_first(from_im(io.MousePos))), frame.size);
+                            glm::dvec2(frame.in_first(mouse_at())), frame.size);
     }
     hovers_ = !dragging() && !near_tip_;
   }
@@ -247,23 +257,6 @@ void Viewport::drag_side(const AppState& state, const SceneFrame& frame, Edits& 
   edits.dragging = true;
 }
 
-namespace {
-
-/// How far along the arrow the mouse has gone since it was pressed, in lengths of the scene; nothing where
-/// the arrow is not seen. Where it runs towards the eye, up is out.
-std::optional<double> way_along(const Camera& camera, const glm::ivec2& size, const ViewArrow& arrow) {
-  const auto tail = project(camera, size, arrow.tail), tip = project(camera, size, arrow.tip);
-  if (!tail || !tip) return std::nullopt;
-  // Pixels by which a way of a unit is seen.
-  glm::dvec2 unit = (*tip - *tail) / glm::distance(arrow.tip, arrow.tail);
-  const double pixels = 1.0 / pixel_length(camera, size);
-  if (glm::length(unit) < k_least_way * pixels) unit = {0.0, -pixels};
-  const glm::dvec2 by(mouse_at() - from_im(ImGui::GetIO().MouseClickedPos[0]));
-  return glm::dot(by, unit) / glm::dot(unit, unit);
-}
-
-}  // namespace
-
 void Viewport::drag_height(const AppState& state, const SceneFrame& frame, const ArrowDrag& held,
                            Edits& edits) {
   constexpr double k_inside = 1e-3;  // of the part's height: where the halves could just meet
@@ -292,7 +285,7 @@ void Viewport::draw_loop(const Ui& ui, const AppState& state) const {
   const auto [name, figures] = loop_lines(state, *near_loop_);
   const std::string text = fmt::format("{}  ·  {}", name, figures);
   const glm::vec2 room = 0.5F * tag_size(ui, text);
-  const float right = ImGui::GetIO().DisplaySize.x - room.x;
+  const float right = screen_size().x - room.x;
   const glm::vec2 at(std::clamp(mouse.x, room.x, std::max(right, room.x)), mouse.y - ui.px(16) - room.y);
   ui.memory->controls["loop at the cursor"] = {at - room, at + room};
   draw_tag(ui, at, text, ui.colours->text);
@@ -321,7 +314,7 @@ void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const Scene
     const bool lively = drag_ ? drag_->arrow == each : near_tip_ == each;
     draw_name(ui, *shown, name, lively || shown->toward_viewer ? ui.colours->text : ui.colours->muted);
     if (lively)
-      scene_list().AddCircle(im(shown->tip), ui.px(k_tip_reach), faded(ui.colours->text, 0.6F), 0,
+      scene_list().AddCircle(shown->tip, ui.px(k_tip_reach), faded(ui.colours->text, 0.6F), 0,
                              1.5F * ui.scale);
   }
 }

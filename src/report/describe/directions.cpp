@@ -7,7 +7,6 @@
 #include "base/numbers.hpp"
 #include "classify/classify_report.hpp"
 #include "mold/direction.hpp"
-#include "report/describe/live.hpp"
 #include "report/describe/parts.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_pictures.hpp"

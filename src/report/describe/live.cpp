@@ -1,5 +1,4 @@
-#include "report/describe/live.hpp"
-
+// Reports whose page finds the regions of any direction by itself.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +17,7 @@
 #include "mold/measure.hpp"
 #include "mold/surface_samples.hpp"
 #include "render/readout_passes.hpp"
+#include "report/describe/parts.hpp"
 #include "sweep/sample_rays.hpp"
 
 namespace moldlight::report {
@@ -118,9 +118,8 @@ void measure_errors(const ReportContext& context, const std::vector<LiveDirectio
       error.resting = std::max(error.resting, off());
     }
   }
-  for (LiveError& error : live.errors) {
+  for (LiveError& error : live.errors)
     for (double* share : {&error.moving, &error.resting}) *share = k_margin * *share + k_sampling_share;
-  }
   live.measured = directions.size();
 }
 

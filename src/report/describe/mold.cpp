@@ -1,5 +1,4 @@
 // The report of a mold: its parting line and its halves.
-#include <algorithm>
 #include <filesystem>
 #include <iterator>
 
@@ -198,9 +197,8 @@ ModelView mold_view(const ReportContext& context, const MoldReport& found) {
   view.surfaces.push_back(std::move(part));
   const auto line_group = static_cast<std::uint16_t>(view.groups.size());
   view.groups.push_back({.name = "Parting line", .colour = k_tube, .stays_opaque = true});
-  for (const PartingLoop& loop : found.line.loops) {
+  for (const PartingLoop& loop : found.line.loops)
     if (loop.kind != LoopKind::action) view.lines.push_back({loop.points, true, line_group});
-  }
   if (found.halves.made()) add_steel(found.halves, assignment.direction, context.palette, view);
   return view;
 }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "gl/headless_backends.hpp"
 #include "gl/headless_context.hpp"
 
 namespace moldlight::gl {

@@ -1,4 +1,6 @@
 // What is left to moldlight-step once it has given up its rights.
+#include "step/sandbox.hpp"
+
 #include <cerrno>
 #include <cstdlib>
 
@@ -9,7 +11,6 @@
 #include <unistd.h>
 
 #include "io/step_result.hpp"
-#include "step/limits.hpp"
 #include "support/process.hpp"
 
 namespace moldlight::step {

@@ -1,7 +1,9 @@
-// Colours that a STEP file gives to faces.
+// What a STEP file says beside its shapes: the colours of faces, and how the instances of an assembly are
+// placed.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 
 #include <STEPControl_Reader.hxx>
@@ -22,5 +24,9 @@ class FaceColours {
  private:
   std::unordered_map<const TopoDS_TShape*, std::uint32_t> of_face_;
 };
+
+/// The entity, as "#178", by which a shape is placed mirrored or scaled; empty where there is none.
+/// OpenCASCADE takes in no more of such a placement than its origin, axis1 and axis3.
+[[nodiscard]] std::string mirrored_or_scaled_placement(const STEPControl_Reader& reader);
 
 }  // namespace moldlight::step

@@ -1,4 +1,4 @@
-#include "step/face_colours.hpp"
+#include "step/entities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +8,25 @@
 #include <Quantity_Color.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPConstruct_Styles.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepGeom_CartesianTransformationOperator3d.hxx>
+#include <StepGeom_Direction.hxx>
+#include <StepRepr_MappedItem.hxx>
 #include <StepRepr_RepresentationItem.hxx>
+#include <StepRepr_RepresentationMap.hxx>
+#include <StepRepr_ShapeRepresentationRelationshipWithTransformation.hxx>
+#include <StepRepr_Transformation.hxx>
+#include <StepShape_ShapeRepresentation.hxx>
 #include <StepVisual_Colour.hxx>
 #include <StepVisual_StyledItem.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <gp_XYZ.hxx>
 
 #include "mesh/face_colour.hpp"
 
@@ -41,6 +51,37 @@ std::uint32_t colour_of(const STEPConstruct_Styles& styles, const Handle(StepVis
   Standard_Real red = 0.0, green = 0.0, blue = 0.0;
   colour.Values(red, green, blue, Quantity_TOC_sRGB);
   return byte_of(red) << 16 | byte_of(green) << 8 | byte_of(blue);
+}
+
+using Operator = StepGeom_CartesianTransformationOperator3d;
+
+gp_XYZ vector_of(const Handle(StepGeom_Direction) & direction, const gp_XYZ& otherwise) {
+  if (direction.IsNull() || direction->NbDirectionRatios() != 3) return otherwise;
+  return {direction->DirectionRatiosValue(1), direction->DirectionRatiosValue(2),
+          direction->DirectionRatiosValue(3)};
+}
+
+/// The operator that places a shape; null where the entity places none or does it otherwise.
+Handle(Operator) operator_of(const Handle(Standard_Transient) & entity) {
+  if (const auto item = Handle(StepRepr_MappedItem)::DownCast(entity); !item.IsNull()) {
+    const bool of_shape =
+        !item->MappingSource().IsNull() &&
+        !Handle(StepShape_ShapeRepresentation)::DownCast(item->MappingSource()->MappedRepresentation())
+             .IsNull();
+    return of_shape ? Handle(Operator)::DownCast(item->MappingTarget()) : Handle(Operator)();
+  }
+  const auto relation = Handle(StepRepr_ShapeRepresentationRelationshipWithTransformation)::DownCast(entity);
+  return relation.IsNull() ? Handle(Operator)()
+                           : Handle(Operator)::DownCast(relation->TransformationOperator().Value());
+}
+
+bool mirrors_or_scales(const Operator& placement) {
+  constexpr double k_scale_tolerance = 1e-9;
+  if (placement.HasScale() && std::abs(placement.Scale() - 1.0) > k_scale_tolerance) return true;
+  // Axes that are left out are those of the world, or follow from the others without mirroring.
+  const gp_XYZ x = vector_of(placement.Axis1(), {1, 0, 0}), z = vector_of(placement.Axis3(), {0, 0, 1});
+  const gp_XYZ right_handed_y = z.Crossed(x);
+  return vector_of(placement.Axis2(), right_handed_y).Dot(right_handed_y) < 0.0;
 }
 
 }  // namespace
@@ -70,6 +111,16 @@ FaceColours::FaceColours(const STEPControl_Reader& reader) {
 std::uint32_t FaceColours::of(const TopoDS_Face& face) const {
   const auto found = of_face_.find(face.TShape().get());
   return found == of_face_.end() ? k_no_colour : found->second;
+}
+
+std::string mirrored_or_scaled_placement(const STEPControl_Reader& reader) {
+  const Handle(StepData_StepModel) model = reader.StepModel();
+  for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(Operator) placement = operator_of(model->Value(i));
+    if (!placement.IsNull() && mirrors_or_scales(*placement))
+      return model->StringLabel(placement)->ToCString();
+  }
+  return "";
 }
 
 }  // namespace moldlight::step
