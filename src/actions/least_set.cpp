@@ -295,9 +295,12 @@ class LeastSet {
       draft.options.push_back(chosen[k].first);
       draft.undercut_parts.push_back(chosen[k].second);
     }
+    if (context_.detail == PlanDetail::rough) return draft;
     for (std::int32_t& action : of_atom)
       action = action < 0 ? action : place[static_cast<std::size_t>(action)];
-    draft.plan.action_of_piece = actions_of_pieces(context_, undercut_parts_, of_atom, draft.plan.actions);
+    if (!nearest_parts_) nearest_parts_ = nearest_parts(context_, undercut_parts_);
+    draft.plan.action_of_piece =
+        actions_of_pieces(context_, undercut_parts_, *nearest_parts_, of_atom, draft.plan.actions);
     find_meetings(context_.model, context_.split, context_.pulls.release(), draft.plan);
     return draft;
   }
@@ -398,6 +401,7 @@ class LeastSet {
   std::size_t pairs_ahead_ = k_pairs_ahead;  // that are still worth the time
   int unproved_ = 0;                         // covers
   std::map<Left, SideAction> known_;
+  std::optional<std::vector<std::size_t>> nearest_parts_;
   std::vector<RejectedAction> rejected_;
 };
 

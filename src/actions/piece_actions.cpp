@@ -14,21 +14,50 @@ namespace moldlight {
 
 namespace {
 
+glm::dvec3 middle_of(const SplitMesh& split, std::uint32_t piece) {
+  glm::dvec3 middle(0.0);
+  for (const VertexIndex corner : split.pieces[piece].corners) middle += split.vertices[corner] / 3.0;
+  return middle;
+}
+
+/// Numbers of undercut parts, of each undercut.
+std::vector<std::vector<std::size_t>> parts_of_undercuts(std::size_t undercuts,
+                                                         const std::vector<UndercutPart>& undercut_parts) {
+  std::vector<std::vector<std::size_t>> parts(undercuts);
+  for (std::size_t k = 0; k < undercut_parts.size(); ++k) parts[undercut_parts[k].undercut].push_back(k);
+  return parts;
+}
+
+std::size_t nearest_part(std::span<const std::size_t> of_undercut,
+                         const std::vector<UndercutPart>& undercut_parts, const glm::vec3& at) {
+  std::size_t nearest = of_undercut.front();
+  float least = std::numeric_limits<float>::infinity();
+  for (const std::size_t k : of_undercut) {
+    for (const UndercutSample& sample : undercut_parts[k].samples) {
+      const float distance = glm::distance(sample.position, at);
+      if (distance >= least) continue;
+      least = distance;
+      nearest = k;
+    }
+  }
+  return nearest;
+}
+
 class PieceActions {
  public:
   PieceActions(const ChosenContext& context, const std::vector<UndercutPart>& undercut_parts,
-               std::span<const std::int32_t> of_atom, const std::vector<SideAction>& actions)
+               std::span<const std::size_t> nearest, std::span<const std::int32_t> of_atom,
+               const std::vector<SideAction>& actions)
       : model_(context.model),
         split_(context.split),
         pulls_(context.pulls),
         undercut_parts_(undercut_parts),
+        nearest_(nearest),
         of_atom_(of_atom),
         actions_(actions) {}
 
   std::vector<std::int32_t> of(const std::vector<Undercut>& undercuts) const {
-    std::vector<std::vector<std::size_t>> undercut_parts(undercuts.size());
-    for (std::size_t k = 0; k < undercut_parts_.size(); ++k)
-      undercut_parts[undercut_parts_[k].undercut].push_back(k);
+    const auto undercut_parts = parts_of_undercuts(undercuts.size(), undercut_parts_);
     std::vector<std::int32_t> of_piece(split_.pieces.size(), k_no_action_of_piece);
     for (std::size_t undercut = 0; undercut < undercut_parts.size(); ++undercut) {
       const bool alike = std::ranges::all_of(undercut_parts[undercut], [&](std::size_t k) {
@@ -49,8 +78,7 @@ class PieceActions {
     constexpr double k_inward = 0.1;
     pulls_.release().end_if_cancelled();
     const auto& corners = split_.pieces[piece].corners;
-    glm::dvec3 middle(0.0);
-    for (const VertexIndex corner : corners) middle += split_.vertices[corner] / 3.0;
+    const glm::dvec3 middle = middle_of(split_, piece);
     const glm::dvec3& normal = model_.geometry.normals[split_.pieces[piece].facet];
     const auto frees = [&](std::int32_t number) {
       if (number < 0) return false;
@@ -61,7 +89,7 @@ class PieceActions {
                return is_freed({model_.frame.to_unit(at), normal, 0.0}, action);
              });
     };
-    const std::int32_t nearest = of_atom_[nearest_atom(undercut_parts, model_.frame.to_unit(middle))];
+    const std::int32_t nearest = of_atom_[nearest_[piece]];
     // Facets without area have no normal.
     if (nearest < 0 || normal == glm::dvec3(0.0)) return nearest;
     if (const auto slide = of_opposite_slides(piece, normal, nearest, undercut_parts, frees)) return *slide;
@@ -109,36 +137,40 @@ class PieceActions {
     return release.free_length(sample, action.direction) == std::numeric_limits<double>::infinity();
   }
 
-  [[nodiscard]] std::size_t nearest_atom(const std::vector<std::size_t>& undercut_parts,
-                                         const glm::vec3& at) const {
-    std::size_t nearest = undercut_parts.front();
-    float least = std::numeric_limits<float>::infinity();
-    for (const std::size_t k : undercut_parts) {
-      for (const UndercutSample& sample : undercut_parts_[k].samples) {
-        const float distance = glm::distance(sample.position, at);
-        if (distance >= least) continue;
-        least = distance;
-        nearest = k;
-      }
-    }
-    return nearest;
-  }
-
   const PartModel& model_;
   const SplitMesh& split_;
   const PullFinder& pulls_;
   const std::vector<UndercutPart>& undercut_parts_;
+  std::span<const std::size_t> nearest_;
   std::span<const std::int32_t> of_atom_;
   const std::vector<SideAction>& actions_;
 };
 
 }  // namespace
 
+std::vector<std::size_t> nearest_parts(const ChosenContext& context,
+                                       const std::vector<UndercutPart>& undercut_parts) {
+  const std::vector<Undercut>& undercuts = context.undercuts.counted;
+  const auto parts = parts_of_undercuts(undercuts.size(), undercut_parts);
+  std::vector<std::size_t> nearest(context.split.pieces.size(), 0);
+  for (std::size_t undercut = 0; undercut < parts.size(); ++undercut) {
+    if (parts[undercut].size() < 2) continue;
+    const std::vector<std::uint32_t>& pieces = undercuts[undercut].pieces;
+    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t k) {
+      context.pulls.release().end_if_cancelled();
+      const glm::dvec3 middle = middle_of(context.split, pieces[k]);
+      nearest[pieces[k]] = nearest_part(parts[undercut], undercut_parts, context.model.frame.to_unit(middle));
+    });
+  }
+  return nearest;
+}
+
 std::vector<std::int32_t> actions_of_pieces(const ChosenContext& context,
                                             const std::vector<UndercutPart>& undercut_parts,
+                                            std::span<const std::size_t> nearest,
                                             std::span<const std::int32_t> of_atom,
                                             const std::vector<SideAction>& actions) {
-  return PieceActions(context, undercut_parts, of_atom, actions).of(context.undercuts.counted);
+  return PieceActions(context, undercut_parts, nearest, of_atom, actions).of(context.undercuts.counted);
 }
 
 }  // namespace moldlight
