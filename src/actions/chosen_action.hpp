@@ -1,6 +1,7 @@
 // A side action as it is shown: its travel and what it may turn by as exact as they get.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct ChosenContext {
   const ActionSettings& settings;
   double unit_per_mm = 1.0, lateral = 0.0;  // the lateral tolerance in the part's unit
   PlanDetail detail = PlanDetail::whole;
+  double most_left = std::numeric_limits<double>::infinity();  // area at which the search ends
 };
 
 /// The least travel of a lifter, from the way's own on, at which the samples are clear; the way's own where

@@ -36,7 +36,7 @@ constexpr double k_pin_reach = 0.02;  // of the diagonal, from a pin to its unde
 class Finder {
  public:
   Finder(const PartModel& model, const Classification& result, const ActionSettings& settings,
-         const Progress& progress, PlanDetail detail)
+         const Progress& progress, PlanDetail detail, double most_left)
       : model_(model),
         split_(*result.split),
         settings_(settings),
@@ -47,6 +47,7 @@ class Finder {
         unit_per_mm_(unit_per_mm(model.part)),
         lateral_(result.lateral_tolerance),
         detail_(detail),
+        most_left_(most_left),
         bodies_(model, result, progress) {}
 
   ActionPlan run() {
@@ -59,8 +60,8 @@ class Finder {
     split_the_rest();
     find_inserts();
     std::vector<ActionOption> options = find_options();
-    const ChosenContext context{model_,    split_,       undercuts_, pulls_,
-                                settings_, unit_per_mm_, lateral_,   detail_};
+    const ChosenContext context{model_,       split_,   undercuts_, pulls_,    settings_,
+                                unit_per_mm_, lateral_, detail_,    most_left_};
     ActionPlan plan =
         least_set(context, undercut_parts_, std::move(options),
                   {.alternatives = [&](std::size_t undercut_part) { return alternatives(undercut_part); },
@@ -407,6 +408,7 @@ class Finder {
   PullFinder pulls_;
   double unit_per_mm_, lateral_;
   PlanDetail detail_;
+  double most_left_;
   std::vector<std::vector<PullCandidate>> tried_;  // by undercut
   std::vector<UndercutPart> undercut_parts_;
   std::vector<ActionOption> revolved_;  // threads and rings
@@ -417,8 +419,8 @@ class Finder {
 }  // namespace
 
 ActionPlan find_actions(const PartModel& model, const Classification& result, const ActionSettings& settings,
-                        const Progress& progress, PlanDetail detail) {
-  return Finder(model, result, settings, progress, detail).run();
+                        const Progress& progress, PlanDetail detail, double most_left) {
+  return Finder(model, result, settings, progress, detail, most_left).run();
 }
 
 }  // namespace moldlight

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -62,18 +64,18 @@ LeastActions least_actions(const PartModel& model, const SplitMesh& split, const
   const double straight = std::min({price(ActionKind::slide), price(ActionKind::inclined),
                                     price(ActionKind::lifter), price(ActionKind::insert)});
   const double round = std::min({straight, price(ActionKind::unscrew), price(ActionKind::strip)});
-  std::vector<double> weights(all.size(), 0.0);  // of groups, at their first undercuts
+  std::vector<double> weights(all.size(), 0.0),
+      areas(all.size(), 0.0);  // of groups, at their first undercuts
   for (std::uint32_t k = 0; k < all.size(); ++k) {
     const double own = spreads[k].is_round ? round : straight;
     double& weight = weights[near.find(k)];
     weight = weight > 0.0 ? std::min(weight, own) : own;
+    areas[near.find(k)] += all[k].area;
   }
-  LeastActions least;
-  for (const double weight : weights) {
-    least.weight += weight;
-    least.number += weight > 0.0 ? 1 : 0;
-  }
-  return least;
+  std::ranges::sort(areas, std::greater());
+  const auto beyond = areas.begin() + static_cast<std::ptrdiff_t>(std::min(k_most_actions, areas.size()));
+  return {.weight = std::accumulate(weights.begin(), weights.end(), 0.0),
+          .beyond = std::accumulate(beyond, areas.end(), 0.0)};
 }
 
 }  // namespace moldlight

@@ -8,7 +8,7 @@ namespace moldlight {
 
 struct LeastActions {
   double weight = 0.0;
-  std::size_t number = 0;
+  double beyond = 0.0;  // area of undercuts that the k_most_actions largest do not form
 };
 
 /// What the side actions of a direction come to at least. Undercuts are put together that one slide might

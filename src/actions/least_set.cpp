@@ -50,7 +50,8 @@ class LeastSet {
     for (int round = 0;; ++round) {
       Draft draft = cheapest();
       while (give_up_crowded(draft) || give_up_partial(draft)) draft = cheapest();
-      if (context_.detail != PlanDetail::whole) return std::move(draft.plan);
+      if (context_.detail != PlanDetail::whole || draft.plan.unreleased_area > context_.most_left)
+        return std::move(draft.plan);
       const bool others = round < k_most_others;
       ask_.measure(draft.plan, fine);
       std::vector<std::size_t> lost = without_hits(draft, others);

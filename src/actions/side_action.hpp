@@ -127,10 +127,12 @@ struct ActionPlan {
 /// bodies are clear, how far lifters may turn, what the undercuts are blocked by and what forms them.
 /// Roughly: from few samples, as if actions that meet did not.
 enum class PlanDetail : std::uint8_t { whole, rank, rough };
-/// `result` is a classification of the model that has its split mesh. Throws Cancelled.
+/// `result` is a classification of the model that has its split mesh. The search ends, and the plan is what
+/// it is then, once more undercut than `most_left` is left, an area. Throws Cancelled.
 [[nodiscard]] ActionPlan find_actions(const PartModel& model, const Classification& result,
                                       const ActionSettings& settings, const Progress& progress,
-                                      PlanDetail detail = PlanDetail::whole);
+                                      PlanDetail detail = PlanDetail::whole,
+                                      double most_left = std::numeric_limits<double>::infinity());
 
 /// What a plan comes to, without the list of its actions. Areas are in the part's unit squared.
 struct ActionTotals {

@@ -24,7 +24,7 @@ struct Verdict {
   std::size_t specks = 0;  // too small or too shallow to count
   double speck_area = 0.0;
   ActionCounts actions{};
-  std::vector<std::string> reasons;                   // what else there is to say, a sentence each
+  std::vector<std::string> reasons;  // what else there is to say, a sentence each
 
   /// Nothing to be done about the part: the one state that is shown with a tick.
   [[nodiscard]] bool good() const { return state == VerdictState::two_plate; }

@@ -20,7 +20,6 @@ constexpr std::size_t k_most_facets_together = 2'000'000;
 constexpr double k_weight_steps = 1e6;  // in 1, so that sums of decimals are decimals again
 constexpr double k_trifle = 1e-3;       // of the surface
 constexpr double k_rough_margin = 1.0;  // a slide: by so much few samples may mistake a weight
-constexpr std::size_t k_roughly_too_many = k_most_actions + k_most_actions / 2;
 
 }  // namespace
 
@@ -34,11 +33,16 @@ DirectionActions direction_actions(const ActionPlan& plan, const Classification&
   }
   for (const SideAction& action : plan.actions) {
     found.travel = std::max(found.travel, action.travel);
-    found.formed_area += action.area;
     double counts =
         action.kind == ActionKind::insert ? std::min(1.0, action.area / (k_trifle * split.total_area)) : 1.0;
     if (!action.undercuts.empty())
       counts *= released[std::ranges::max(action.undercuts, {}, [&](std::size_t k) { return released[k]; })];
+    if (&action - plan.actions.data() >= static_cast<std::ptrdiff_t>(k_most_actions)) {
+      found.beyond += action.area;
+      counts = 0.0;
+    } else {
+      found.formed_area += action.area;
+    }
     found.in_vain += (1.0 - counts) * facts(action.kind).weight;
   }
   // By kinds, so that the same set has the same weight in whatever order it is found.
@@ -51,17 +55,15 @@ DirectionActions direction_actions(const ActionPlan& plan, const Classification&
 
 bool ActionLimit::is_exceeded(const LeastActions& least, const UndercutTotals& undercuts) const {
   return (left <= left_band && least.weight + per_area * undercuts.area > most) ||
-         (least.number > k_most_actions && undercuts.area > most_hopeless) ||
-         (undercuts.count > 0 && undercuts.area > most_undercut) ||
+         least.beyond > left + left_band || (undercuts.count > 0 && undercuts.area > most_undercut) ||
          (beside && undercuts.area >= beside->area && undercuts.count >= beside->count);
 }
 
 bool ActionLimit::is_far_exceeded(const DirectionActions& rough) const {
   // Few samples overrate what is left.
-  const double more_left = rough.totals.unreleased_area - left;
+  const double more_left = rough.totals.unreleased_area + rough.beyond - left;
   return more_left > 2.0 * left_band ||
-         (number_of(rough.totals.counts) > k_roughly_too_many && rough.undercuts.area > most_hopeless) ||
-         ((left <= left_band || more_left > 0.0) &&
+         ((left <= left_band || more_left > -left_band) &&
           rough.weight - rough.in_vain + per_area * rough.formed_area > most + k_rough_margin);
 }
 
@@ -71,7 +73,8 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
   try {
     const Classification split = classify_exact(model_, {direction, method_}, Progress(&progress), true);
     const auto found = [&](PlanDetail asked) {
-      return direction_actions(find_actions(model_, split, settings_, Progress(&progress), asked), split);
+      return direction_actions(
+          find_actions(model_, split, settings_, Progress(&progress), asked, limit.most_left), split);
     };
     if (std::isfinite(limit.most) || std::isfinite(limit.most_undercut)) {
       Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
@@ -86,7 +89,9 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
         return DirectionActions{
             .undercuts = totals, .weight = least.weight, .formed_area = totals.area, .given_up = true};
     }
-    return found(detail);
+    DirectionActions actions = found(detail);
+    actions.given_up = actions.totals.unreleased_area > limit.most_left;
+    return actions;
   } catch (const Cancelled&) {
     return std::nullopt;
   }

@@ -27,11 +27,10 @@ struct DirectionActions {
   double weight = 0.0;       // of their kinds, summed up
   double in_vain = 0.0;      // of the weight what does not count
   double travel = 0.0;       // of the one that travels farthest, part's unit; 0 without any
-  double formed_area = 0.0;  // of undercuts that the actions release
-  bool given_up = false;     // only the weight is known, which is no less than this
+  double formed_area = 0.0;  // of undercuts that the k_most_actions release that form most
+  double beyond = 0.0;       // of those that only the others release
+  bool given_up = false;     // the search: weight, or what is left, comes to no less than this
 
-  /// More than a toolmaker builds: the part has to change.
-  [[nodiscard]] bool too_many() const { return number_of(totals.counts) > k_most_actions; }
   /// "2 slides, 1 lifter"; "none".
   [[nodiscard]] std::string text() const { return actions_text(totals.counts); }
 };
@@ -44,13 +43,13 @@ struct DirectionActions {
 struct ActionLimit {
   double most = std::numeric_limits<double>::infinity();  // of their weight and what is added for the surface
   double per_area = 0.0;                                  // that they form, for the part's unit squared
-  /// Areas: what the best so far leaves unreleased, and a difference that counts. What leaves less than that
-  /// is not given up by its weight.
+  /// Areas: what the best so far leaves unreleased or to more than k_most_actions, and a difference that
+  /// counts. What leaves less than that is not given up by its weight.
   double left = 0.0, left_band = 0.0;
   /// Of a direction beside it whose side actions release all: as many undercuts, as large, need no fewer.
   std::optional<UndercutTotals> beside = {};
   double most_undercut = std::numeric_limits<double>::infinity();  // area beside such directions, if any
-  double most_hopeless = std::numeric_limits<double>::infinity();  // undercut area of what needs too many
+  double most_left = std::numeric_limits<double>::infinity();      // area at which the search is given up
   bool roughly = false;  // what few samples show to be too much is given up, too
 
   [[nodiscard]] bool is_exceeded(const LeastActions& least, const UndercutTotals& undercuts) const;

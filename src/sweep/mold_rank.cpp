@@ -84,10 +84,8 @@ Difference difference(MoldCriterion criterion, const MoldCost& one, const MoldCo
 std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) {
   const double by_formed = one.formed - other.formed;
   Difference released = difference(unreleased, one, other, k_least_left);
-  if (one.too_many() != other.too_many())
-    released.text =
-        fmt::format("needs {} than {} side actions", one.too_many() ? "more" : "no more", k_most_actions);
-  if (one.too_many() && other.too_many()) released.by = 0.0;  // the undercut says it
+  const auto is_left = [](const MoldCost& cost) { return cost.of(unreleased) - cost.left < k_least_left; };
+  if (!is_left(one) || !is_left(other)) released.text += fmt::format(" by {} side actions", k_most_actions);
   return {difference(found, one, other),
           released,
           {(one.weight - other.weight) / mold_band(effort), "needs " + actions_difference(one, other), 1e-6},
@@ -105,11 +103,9 @@ std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) 
 double mold_effort(const MoldCost& cost) {
   constexpr double k_weight_of_rest = 4;  // more than any one side action
   const double rest = cost.of(unreleased) > k_least_left ? k_weight_of_rest : 0.0;
-  const double of_actions = cost.too_many()
-                                ? k_effort_of_too_many
-                                : rest + cost.weight - cost.in_vain + k_effort_of_formed * cost.formed +
-                                      effort_on_its_side(cost.formed);
-  return of_actions + k_effort_of_draft * cost.of(draft) + std::min(k_most_of_line, cost.of(line));
+  return rest + cost.weight - cost.in_vain + k_effort_of_formed * cost.formed +
+         effort_on_its_side(cost.formed) + k_effort_of_draft * cost.of(draft) +
+         std::min(k_most_of_line, cost.of(line));
 }
 
 double effort_on_its_side(double formed) {

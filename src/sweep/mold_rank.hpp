@@ -16,8 +16,7 @@ namespace moldlight {
 enum class MoldCriterion : std::uint8_t {
   found,       // 1 for a direction that the part's shape does not name, beside one that it names and that
                // costs no more
-  unreleased,  // surface that no side action releases, share of the part's; all undercut of what needs too
-               // many
+  unreleased,  // surface that no side action releases, or more than a mold has, share of the part's
   effort,      // weight of the side actions, and what is added to it, see mold_effort()
   line,        // climb and steep steps of the parting line, share of the diagonal
   draft,       // surface with too little draft or with reverse draft, share of the part's
@@ -36,16 +35,12 @@ struct MoldCost {
   double left = 0.0;      // by all of them, likewise
   ActionCounts counts{};  // of side actions
 
-  [[nodiscard]] bool too_many() const { return number_of(counts) > k_most_actions; }
-
   [[nodiscard]] double of(MoldCriterion criterion) const {
     return values[static_cast<std::size_t>(criterion)];
   }
   double& of(MoldCriterion criterion) { return values[static_cast<std::size_t>(criterion)]; }
 };
 
-/// What more side actions weigh than a mold has, however many they are.
-inline constexpr double k_effort_of_too_many = 20.0;
 /// Of the surface that side actions form, as a share: each fifth weighs as much as a slide.
 inline constexpr double k_effort_of_formed = 5.0;
 /// What a part that lies on its side in the mold leaves to them: of what is formed beyond a quarter of the

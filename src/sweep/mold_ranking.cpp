@@ -39,7 +39,7 @@ MoldCost mold_cost(const PartModel& model, const Classification& regions, const 
   cost.weight = actions.weight;
   cost.in_vain = actions.in_vain;
   cost.left = actions.totals.unreleased_area / area;
-  cost.of(MoldCriterion::unreleased) = actions.too_many() ? actions.undercuts.area / area : cost.left;
+  cost.of(MoldCriterion::unreleased) = cost.left + actions.beyond / area;
   cost.formed = actions.formed_area / area;
   cost.of(MoldCriterion::line) = (line.outer_climb + line.steep_length) / diagonal;
   cost.of(MoldCriterion::draft) = (regions.near_vertical_area + regions.reverse_draft.area) / area;
@@ -78,8 +78,6 @@ ActionLimit MoldRanking::limit(const Contender& contender) const {
                     .per_area = k_effort_of_formed / area,
                     .left = left * area,
                     .left_band = band * area,
-                    // What is found by search has to be better.
-                    .most_hopeless = area * (contender.canonical() ? left + band : left - band),
                     .roughly = best_alone_ && std::isfinite(least_effort_)};
   if (contender.candidate.from_user()) return limit;
   // What is found beside it is listed for fewer side actions alone, and where walls stay upright not for
@@ -264,8 +262,19 @@ MoldRanking::Listed MoldRanking::listed(std::vector<Contender> contenders) const
   return list;
 }
 
+/// What leaves more cannot be the best beside what is known already.
+double MoldRanking::most_left(std::span<const Contender> contenders) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Contender& each : contenders) {
+    if (best_alone_ && each.cost && !is_open(each))
+      least = std::min(least, each.cost->of(MoldCriterion::unreleased));
+  }
+  return (least + 2.0 * mold_band(MoldCriterion::unreleased, least)) * tools_.model.geometry.total_area;
+}
+
 bool MoldRanking::Listed::is_confirmed(std::size_t place) const {
-  return place < contenders.size() && contenders[place].cost && !is_open(contenders[place]);
+  return place < contenders.size() && contenders[place].cost && !is_open(contenders[place]) &&
+         !contenders[place].actions->given_up;
 }
 
 MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, std::size_t most) {
@@ -281,7 +290,8 @@ MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, st
     }
     if (open.empty()) return list;
     looked_at += open.size();
-    const auto found = tools_.actions.find(open, {}, tools_.clock, PlanDetail::whole);
+    const std::vector<ActionLimit> limits(open.size(), {.most_left = most_left(contenders)});
+    const auto found = tools_.actions.find(open, limits, tools_.clock, PlanDetail::whole);
     for (std::size_t k = 0; k < open.size(); ++k) {
       if (!found[k]) continue;
       Contender& contender = *std::ranges::find_if(contenders, [&](const Contender& each) {

@@ -64,6 +64,7 @@ class MoldRanking {
   [[nodiscard]] ActionLimit limit(const Contender& contender) const;
   void take_down(const Contender& contender);
   [[nodiscard]] bool is_worth(const Contender& found, const Contender& canonical) const;
+  [[nodiscard]] double most_left(std::span<const Contender> contenders) const;
   [[nodiscard]] BesideDirection beside(const Contender& contender, const Contender& of) const;
   void put(Listed& list, std::vector<Contender>& contenders, std::size_t which) const;
   [[nodiscard]] const Contender* stands_for(const std::vector<Contender>& contenders,

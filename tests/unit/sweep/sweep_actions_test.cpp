@@ -242,13 +242,22 @@ TEST(DirectionActions, CountActionsByTheShareReleasedOfTheirUndercuts) {
   EXPECT_DOUBLE_EQ(direction_actions(plan, split).in_vain, 0.75 * 1.2);
 }
 
-TEST(ActionLimit, MoreSideActionsThanAreBuiltAreGivenUpByTheirUndercut) {
-  const ActionLimit limit{.left = 50.0, .left_band = 10.0, .most_hopeless = 60.0};
-  const LeastActions many{.weight = 9.0, .number = k_most_actions + 1},
-      few{.weight = 8.0, .number = k_most_actions};
-  EXPECT_TRUE(limit.is_exceeded(many, {.count = 20, .area = 61.0}));
-  EXPECT_FALSE(limit.is_exceeded(many, {.count = 20, .area = 59.0}));
-  EXPECT_FALSE(limit.is_exceeded(few, {.count = 20, .area = 61.0}));
+TEST(DirectionActions, MoreThanAreBuiltReleaseNothing) {
+  ActionPlan plan;
+  for (int k = 0; k < 10; ++k) plan.actions.push_back(action(ActionKind::slide, 20.0 - k));
+  Classification split;
+  split.total_area = 1000.0;
+  const DirectionActions found = direction_actions(plan, split);
+  EXPECT_EQ(found.weight, 10.0);
+  EXPECT_DOUBLE_EQ(found.in_vain, 2.0) << "those that form least";
+  EXPECT_DOUBLE_EQ(found.beyond, 12.0 + 11.0);
+  EXPECT_DOUBLE_EQ(found.formed_area, 132.0);
+}
+
+TEST(ActionLimit, WhatMoreThanAreBuiltWouldFormIsLeft) {
+  const ActionLimit limit{.left = 50.0, .left_band = 10.0};
+  EXPECT_TRUE(limit.is_exceeded({.weight = 9.0, .beyond = 61.0}, {.count = 20, .area = 500.0}));
+  EXPECT_FALSE(limit.is_exceeded({.weight = 9.0, .beyond = 59.0}, {.count = 20, .area = 500.0}));
 }
 
 TEST(ActionLimit, MoreUndercutThanBesideAnAxisIsGivenUpUnlessItIsSpecks) {
