@@ -17,9 +17,10 @@ namespace {
 
 /// Every direction at work holds a part of its own, split at the borders of its regions.
 constexpr std::size_t k_most_facets_together = 2'000'000;
-constexpr double k_weight_steps = 1e6;  // in 1, so that sums of decimals are decimals again
-constexpr double k_trifle = 1e-3;       // of the surface
-constexpr double k_rough_margin = 1.0;  // a slide: by so much few samples may mistake a weight
+constexpr double k_weight_steps = 1e6;              // in 1, so that sums of decimals are decimals again
+constexpr double k_trifle = 1e-3;                   // of the surface
+constexpr std::size_t k_many = 5 * k_most_actions;  // undercuts, of which few samples say as much
+constexpr double k_rough_margin = 1.0;              // a slide: by so much few samples may mistake a weight
 
 }  // namespace
 
@@ -76,7 +77,8 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
       return direction_actions(
           find_actions(model_, split, settings_, Progress(&progress), asked, limit.most_left), split);
     };
-    if (std::isfinite(limit.most) || std::isfinite(limit.most_undercut)) {
+    const bool limited = std::isfinite(limit.most) || std::isfinite(limit.most_undercut);
+    if (limited || limit.roughly) {
       Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
                                            Progress(&progress), settings_.least_travel_mm);
       const UndercutTotals totals = totals_of(undercuts);
@@ -84,10 +86,15 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
       const double trifle = k_trifle * model_.geometry.total_area / facts(ActionKind::insert).weight;
       std::erase_if(undercuts.counted, [&](const Undercut& undercut) { return undercut.area < trifle; });
       const LeastActions least = least_actions(model_, *split.split, undercuts, direction, settings_);
-      if (limit.is_exceeded(least, totals) ||
-          (limit.roughly && limit.is_far_exceeded(found(PlanDetail::rough))))
-        return DirectionActions{
-            .undercuts = totals, .weight = least.weight, .formed_area = totals.area, .given_up = true};
+      const DirectionActions given_up{
+          .undercuts = totals, .weight = least.weight, .formed_area = totals.area, .given_up = true};
+      if (limited && limit.is_exceeded(least, totals)) return given_up;
+      const bool many = totals.count > k_many;
+      if (limit.roughly && (limited || many)) {
+        DirectionActions rough = found(PlanDetail::rough);
+        if (limited && limit.is_far_exceeded(rough)) return given_up;
+        if (many) return rough;
+      }
     }
     DirectionActions actions = found(detail);
     actions.given_up = actions.totals.unreleased_area > limit.most_left;

@@ -50,7 +50,8 @@ struct ActionLimit {
   std::optional<UndercutTotals> beside = {};
   double most_undercut = std::numeric_limits<double>::infinity();  // area beside such directions, if any
   double most_left = std::numeric_limits<double>::infinity();      // area at which the search is given up
-  bool roughly = false;  // what few samples show to be too much is given up, too
+  /// What few samples show to be too much is given up, too, and these do where there are many undercuts.
+  bool roughly = false;
 
   [[nodiscard]] bool is_exceeded(const LeastActions& least, const UndercutTotals& undercuts) const;
   [[nodiscard]] bool is_far_exceeded(const DirectionActions& rough) const;

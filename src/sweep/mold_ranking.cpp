@@ -78,7 +78,7 @@ ActionLimit MoldRanking::limit(const Contender& contender) const {
                     .per_area = k_effort_of_formed / area,
                     .left = left * area,
                     .left_band = band * area,
-                    .roughly = best_alone_ && std::isfinite(least_effort_)};
+                    .roughly = best_alone_};
   if (contender.candidate.from_user()) return limit;
   // What is found beside it is listed for fewer side actions alone, and where walls stay upright not for
   // these.
