@@ -84,8 +84,8 @@ Difference difference(MoldCriterion criterion, const MoldCost& one, const MoldCo
 std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) {
   const double by_formed = one.formed - other.formed;
   Difference released = difference(unreleased, one, other, k_least_left);
-  const auto is_left = [](const MoldCost& cost) { return cost.of(unreleased) - cost.left < k_least_left; };
-  if (!is_left(one) || !is_left(other)) released.text += fmt::format(" by {} side actions", k_most_actions);
+  if (std::max(one.beyond, other.beyond) > k_least_left)
+    released.text += fmt::format(" by {} side actions", k_most_actions);
   return {difference(found, one, other),
           released,
           {(one.weight - other.weight) / mold_band(effort), "needs " + actions_difference(one, other), 1e-6},
@@ -120,7 +120,8 @@ double mold_band(MoldCriterion criterion, double least) {
 
 bool costs_no_more(const MoldCost& one, const MoldCost& other) {
   const double most = other.weight + mold_band(effort);
-  return one.left <= other.left + mold_band(unreleased, other.left) &&
+  const auto left = [](const MoldCost& cost) { return cost.of(unreleased) - cost.beyond; };
+  return left(one) <= left(other) + mold_band(unreleased, left(other)) &&
          (one.weight <= most || one.weight - one.in_vain <= most - other.in_vain);
 }
 

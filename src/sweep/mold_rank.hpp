@@ -32,7 +32,7 @@ struct MoldCost {
   double weight = 0.0;    // of side actions
   double in_vain = 0.0;   // of it, what does not count as effort
   double formed = 0.0;    // by them, share of the part's surface
-  double left = 0.0;      // by all of them, likewise
+  double beyond = 0.0;    // of what is unreleased what only more side actions than are built would release
   ActionCounts counts{};  // of side actions
 
   [[nodiscard]] double of(MoldCriterion criterion) const {

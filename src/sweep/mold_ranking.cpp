@@ -38,8 +38,8 @@ MoldCost mold_cost(const PartModel& model, const Classification& regions, const 
   cost.counts = actions.totals.counts;
   cost.weight = actions.weight;
   cost.in_vain = actions.in_vain;
-  cost.left = actions.totals.unreleased_area / area;
-  cost.of(MoldCriterion::unreleased) = cost.left + actions.beyond / area;
+  cost.beyond = actions.beyond / area;
+  cost.of(MoldCriterion::unreleased) = actions.totals.unreleased_area / area + cost.beyond;
   cost.formed = actions.formed_area / area;
   cost.of(MoldCriterion::line) = (line.outer_climb + line.steep_length) / diagonal;
   cost.of(MoldCriterion::draft) = (regions.near_vertical_area + regions.reverse_draft.area) / area;
@@ -151,7 +151,7 @@ void MoldRanking::take_down(const Contender& contender) {
     least_effort_ = std::min(least_effort_, effort);
   }
   if (!contender.canonical()) return;
-  const bool released = contender.cost->left <= band;
+  const bool released = left - contender.cost->beyond <= band;
   known_.push_back({contender.candidate.direction, contender.actions->undercuts, released});
   free_ = free_ || (released && contender.cost->weight <= 0.0);
 }
