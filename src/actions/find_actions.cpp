@@ -69,7 +69,7 @@ class Finder {
                   progress_);
     plan.specks = undercuts_.specks;
     add_shallow_specks(plan);
-    if (detail_ == PlanDetail::whole) {
+    if (detail_ == PlanDetail::whole && plan.unreleased_area <= most_left_) {
       keep_rejected(plan);
       report(plan);
     } else {

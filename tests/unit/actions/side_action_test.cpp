@@ -84,6 +84,17 @@ TEST(SideHole, StraightIsASlideWithoutAnyTolerance) {
   EXPECT_TRUE(plan.unreleased.empty());
 }
 
+/// Before any body is made the plan has what it comes to all the same.
+TEST(SideHole, SearchEndsOnceMoreIsLeftThanIsWanted) {
+  const Planned planned = plan_of(laid(block_with_hole({}), 0.0));
+  const ActionPlan plan =
+      find_actions(*planned.model, planned.result, {}, Progress(), PlanDetail::whole, -1.0);
+  ASSERT_EQ(plan.undercuts.size(), planned.plan.undercuts.size());
+  EXPECT_EQ(plan.undercuts[0].undercut.area, planned.plan.undercuts[0].undercut.area);
+  ASSERT_EQ(plan.actions.size(), 1U);
+  EXPECT_FALSE(plan.actions[0].body.has_value());
+}
+
 /// Within 5 degrees of the plane it is a slide, up to 30 an inclined one, beyond a loose insert.
 TEST(SideHole, LeaningOutOfThePlaneIsInclined) {
   for (const auto& [lean_deg, kind] :
