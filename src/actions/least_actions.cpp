@@ -64,8 +64,8 @@ LeastActions least_actions(const PartModel& model, const SplitMesh& split, const
   const double straight = std::min({price(ActionKind::slide), price(ActionKind::inclined),
                                     price(ActionKind::lifter), price(ActionKind::insert)});
   const double round = std::min({straight, price(ActionKind::unscrew), price(ActionKind::strip)});
-  std::vector<double> weights(all.size(), 0.0),
-      areas(all.size(), 0.0);  // of groups, at their first undercuts
+  // Of groups, at their first undercuts.
+  std::vector<double> weights(all.size(), 0.0), areas(all.size(), 0.0);
   for (std::uint32_t k = 0; k < all.size(); ++k) {
     const double own = spreads[k].is_round ? round : straight;
     double& weight = weights[near.find(k)];

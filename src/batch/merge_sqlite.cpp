@@ -142,9 +142,9 @@ class SqliteSink : public MergeSink {
     try {
       database_ = std::make_unique<Database>(temporary_, path);
       database_->run(
-          fmt::format("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA application_id={};CREATE "
-                      "TABLE batch (name TEXT PRIMARY KEY, value TEXT);CREATE TABLE parts ({}, path_bytes "
-                      "BLOB); CREATE TABLE previous ({});",
+          fmt::format("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA application_id={};"
+                      "CREATE TABLE batch (name TEXT PRIMARY KEY, value TEXT);"
+                      "CREATE TABLE parts ({}, path_bytes BLOB); CREATE TABLE previous ({});",
                       k_application_id, column_texts(), column_texts()));
       if (fs::exists(path)) take_previous(manifest);
       database_->run("BEGIN");
@@ -210,8 +210,8 @@ class SqliteSink : public MergeSink {
       const bool same_plan = planned.text() == manifest.planned_at;
       // A version before this one may have had fewer columns.
       Statement names(*database_,
-                      "SELECT group_concat(name) FROM pragma_table_info('parts', 'former') WHERE name IN "
-                      "(SELECT name FROM pragma_table_info('previous', 'main'))");
+                      "SELECT group_concat(name) FROM pragma_table_info('parts', 'former') "
+                      "WHERE name IN (SELECT name FROM pragma_table_info('previous', 'main'))");
       const std::string columns = names.text().value_or("");
       database_->run(fmt::format("INSERT INTO previous ({0}) SELECT {0} FROM former.{1}", columns,
                                  same_plan ? "previous" : "parts"));

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "gl/headless_context.hpp"
+#include "gl/headless_backends.hpp"
 
 namespace moldlight::gl {
 

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "gl/headless_backends.hpp"
 
 namespace moldlight::gl {
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "gl/headless_context.hpp"
+#include "gl/headless_backends.hpp"
 
 namespace moldlight::gl {
 

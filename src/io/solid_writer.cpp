@@ -19,8 +19,9 @@ namespace {
 std::string_view unit_word(const std::string& unit) {
   constexpr std::pair<std::string_view, std::string_view> k_words[] = {
       {"um", "micron"}, {"cm", "centimeter"}, {"m", "meter"}, {"in", "inch"}, {"ft", "foot"}};
-  for (const auto& [name, word] : k_words)
+  for (const auto& [name, word] : k_words) {
     if (name == unit) return word;
+  }
   return "millimeter";
 }
 
@@ -96,10 +97,10 @@ void write_solid_stl(const std::string& path, const TriangleMesh& mesh, const st
 void write_solids_3mf(const std::string& path, std::span<const NamedSolid> solids, const std::string& unit) {
   constexpr std::string_view k_types =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types "
-      "xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\"><Default Extension=\"rels\" "
-      "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/><Default "
-      "Extension=\"model\" "
-      "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n";
+      "xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
+      "<Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
+      "<Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>"
+      "</Types>\n";
   constexpr std::string_view k_relations =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships "
       "xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\"><Relationship "

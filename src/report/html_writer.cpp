@@ -239,8 +239,8 @@ std::string view_html(const Report& report) {
   if (report.view) {
     html +=
         "<canvas tabindex=\"0\" hidden aria-label=\"The part in three dimensions: drag or arrow keys turn "
-        "it, the wheel zooms once it is clicked\"></canvas><div class=\"tags\" hidden><span>+d · "
-        "core</span><span>−d · cavity</span>";
+        "it, the wheel zooms once it is clicked\"></canvas>"
+        "<div class=\"tags\" hidden><span>+d · core</span><span>−d · cavity</span>";
     for (const ViewCallout& callout : report.view->callouts)
       html += fmt::format("<span class=\"number\">{}</span>", html_text(callout.text));
     html += "</div>";

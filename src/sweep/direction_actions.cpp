@@ -64,7 +64,7 @@ bool ActionLimit::is_far_exceeded(const DirectionActions& rough) const {
   // Few samples overrate what is left.
   const double more_left = rough.totals.unreleased_area + rough.beyond - left;
   return more_left > 2.0 * left_band ||
-         ((left <= left_band || more_left > -left_band) &&
+         (more_left > -left_band &&
           rough.weight - rough.in_vain + per_area * rough.formed_area > most + k_rough_margin);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "gl/headless_backends.hpp"
 #include "gl/headless_context.hpp"
 
 namespace moldlight::gl {

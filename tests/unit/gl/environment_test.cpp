@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "backends.hpp"
+#include "gl/headless_backends.hpp"
 #include "gl/headless_context.hpp"
 
 namespace moldlight::gl {
