@@ -85,7 +85,7 @@ std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) 
   const double by_formed = one.formed - other.formed;
   Difference released = difference(unreleased, one, other, k_least_left);
   if (std::max(one.beyond, other.beyond) > k_least_left)
-    released.text += fmt::format(" by {} side actions", k_most_actions);
+    released.text += fmt::format(" with {} side actions", k_most_actions);
   return {difference(found, one, other),
           released,
           {(one.weight - other.weight) / mold_band(effort), "needs " + actions_difference(one, other), 1e-6},

@@ -74,7 +74,7 @@ TEST(MoldRank, SaysWhatDecides) {
   EXPECT_EQ(rank_reasons(many, {}), (std::vector<std::string>{"leaves 2 % more of the surface unreleased"}));
   many.beyond = 0.01;
   EXPECT_EQ(rank_reasons(many, {}),
-            (std::vector<std::string>{"leaves 2 % more of the surface unreleased by 8 side actions"}));
+            (std::vector<std::string>{"leaves 2 % more of the surface unreleased with 8 side actions"}));
   EXPECT_TRUE(rank_reasons(one, one).empty());
 }
 
