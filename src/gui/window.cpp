@@ -16,6 +16,7 @@
 #include "base/shown_text.hpp"
 #include "classify/headless.hpp"
 #include "classify/option_json.hpp"
+#include "gl/headless_backends.hpp"
 #include "gl/headless_context.hpp"
 #include "gl/objects.hpp"
 #include "gui/app.hpp"
