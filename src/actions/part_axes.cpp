@@ -15,7 +15,7 @@ namespace {
 constexpr double k_quarter = 0.5 * std::numbers::pi;
 constexpr double k_upright_sine = 0.02;  // of a wall's lean at most
 constexpr double k_same_turn = 3e-4;     // radians, between walls that face one way
-constexpr double k_least_share = 0.1;    // of all upright walls: fewer say nothing
+constexpr double k_least_upright = 0.1;    // of all upright walls: fewer say nothing
 constexpr std::size_t k_most_facings = 3;
 
 /// Where walls face, by a quarter of a turn: a wall says as much of where it stands along.
@@ -65,7 +65,7 @@ std::vector<Facing> facings(const PartModel& model, const PartAxes& axes) {
     if (std::abs(facing.turn) < 0.5 * k_same_turn) facing.turn = 0.0;
     found.push_back(facing);
   }
-  std::erase_if(found, [&](const Facing& facing) { return facing.area < k_least_share * total; });
+  std::erase_if(found, [&](const Facing& facing) { return facing.area < k_least_upright * total; });
   std::ranges::stable_sort(found, std::greater(), &Facing::area);
   if (found.size() > k_most_facings) found.resize(k_most_facings);
   return found;
@@ -97,7 +97,7 @@ glm::dvec3 surface_centre(const PartModel& model) {
 }
 
 /// 0 and neighbours are one key, whatever the sign of rounding.
-std::int64_t rounded(double value, double step) { return std::llround(value / step); }
+std::int64_t steps_of(double value, double step) { return std::llround(value / step); }
 
 }  // namespace
 
@@ -135,14 +135,14 @@ PartAxes part_axes(const PartModel& model, const glm::dvec3& direction) {
 
 PlaceKey place_key(const PartAxes& axes, const glm::dvec3& place) {
   const glm::dvec3 from = place - axes.centre;
-  return {rounded(glm::dot(from, axes.z), axes.step), rounded(glm::dot(from, axes.x), axes.step),
-          rounded(glm::dot(from, axes.y), axes.step)};
+  return {steps_of(glm::dot(from, axes.z), axes.step), steps_of(glm::dot(from, axes.x), axes.step),
+          steps_of(glm::dot(from, axes.y), axes.step)};
 }
 
 PlaceKey direction_key(const PartAxes& axes, const glm::dvec3& direction) {
   constexpr double k_step = 1e-6;
-  return {rounded(glm::dot(direction, axes.z), k_step), rounded(glm::dot(direction, axes.x), k_step),
-          rounded(glm::dot(direction, axes.y), k_step)};
+  return {steps_of(glm::dot(direction, axes.z), k_step), steps_of(glm::dot(direction, axes.x), k_step),
+          steps_of(glm::dot(direction, axes.y), k_step)};
 }
 
 }  // namespace moldlight

@@ -14,12 +14,6 @@ namespace moldlight {
 
 namespace {
 
-glm::dvec3 middle_of(const SplitMesh& split, std::uint32_t piece) {
-  glm::dvec3 middle(0.0);
-  for (const VertexIndex corner : split.pieces[piece].corners) middle += split.vertices[corner] / 3.0;
-  return middle;
-}
-
 /// Numbers of undercut parts, of each undercut.
 std::vector<std::vector<std::size_t>> parts_of_undercuts(std::size_t undercuts,
                                                          const std::vector<UndercutPart>& undercut_parts) {
@@ -78,7 +72,7 @@ class PieceActions {
     constexpr double k_inward = 0.1;
     pulls_.release().end_if_cancelled();
     const auto& corners = split_.pieces[piece].corners;
-    const glm::dvec3 middle = middle_of(split_, piece);
+    const glm::dvec3 middle = split_.middle(piece);
     const glm::dvec3& normal = model_.geometry.normals[split_.pieces[piece].facet];
     const auto frees = [&](std::int32_t number) {
       if (number < 0) return false;
@@ -158,7 +152,7 @@ std::vector<std::size_t> nearest_parts(const ChosenContext& context,
     const std::vector<std::uint32_t>& pieces = undercuts[undercut].pieces;
     tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t k) {
       context.pulls.release().end_if_cancelled();
-      const glm::dvec3 middle = middle_of(context.split, pieces[k]);
+      const glm::dvec3 middle = context.split.middle(pieces[k]);
       nearest[pieces[k]] = nearest_part(parts[undercut], undercut_parts, context.model.frame.to_unit(middle));
     });
   }

@@ -28,16 +28,12 @@ namespace {
 
 using PieceIndex = std::uint32_t;
 
-glm::dvec3 corner(const SplitMesh& split, PieceIndex piece, std::size_t k) {
-  return split.vertices[split.pieces[piece].corners[k]];
-}
-
 /// From that across from the longest edge to that across from the shortest.
 std::array<glm::dvec3, 3> corners_by_edges(const SplitMesh& split, PieceIndex piece) {
   std::array<std::pair<double, glm::dvec3>, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double across = glm::distance(corner(split, piece, (k + 1) % 3), corner(split, piece, (k + 2) % 3));
-    corners[k] = {across, corner(split, piece, k)};
+    const double across = glm::distance(split.corner(piece, (k + 1) % 3), split.corner(piece, (k + 2) % 3));
+    corners[k] = {across, split.corner(piece, k)};
   }
   std::ranges::stable_sort(corners, std::greater(), [](const auto& each) { return each.first; });
   return {corners[0].second, corners[1].second, corners[2].second};
@@ -111,7 +107,7 @@ std::vector<std::uint32_t> near_others(const SplitMesh& split, std::span<const P
   for (std::uint32_t place = 0; place < pieces.size(); ++place) {
     root_of.push_back(static_cast<std::uint32_t>(joined.find(place)));
     if (root_of[place] == place) roots.push_back(place);
-    for (std::size_t k = 0; k < 3; ++k) boxes[root_of[place]].take(corner(split, pieces[place], k));
+    for (std::size_t k = 0; k < 3; ++k) boxes[root_of[place]].take(split.corner(pieces[place], k));
     order[place] = place;
   }
   std::ranges::stable_sort(order, {}, [&](std::uint32_t place) { return root_of[place]; });
@@ -123,7 +119,7 @@ std::vector<std::uint32_t> near_others(const SplitMesh& split, std::span<const P
     if (k == 0 || root_of[order[k]] != root_of[order[k - 1]])
       others = undercuts.near(root_of[order[k]], reach);
     Box own;
-    for (std::size_t c = 0; c < 3; ++c) own.take(corner(split, pieces[order[k]], c));
+    for (std::size_t c = 0; c < 3; ++c) own.take(split.corner(pieces[order[k]], c));
     if (std::ranges::any_of(others, [&](const Box& other) { return other.meets(own, reach); }))
       near.push_back(order[k]);
   }
@@ -152,7 +148,7 @@ void join_near(const PartModel& model, const SplitMesh& split, std::span<const P
     if (progress.cancelled()) throw Cancelled();
     const glm::dvec3& normal = model.geometry.normals[split.pieces[pieces[place]].facet];
     for (std::size_t k = 0; k < 3; ++k) {
-      const glm::dvec3 at = corner(split, pieces[place], k);
+      const glm::dvec3 at = split.corner(pieces[place], k);
       const GridCell cell = cell_of(at);
       std::vector<Corner>& here = grid[cell];
       // One of an undercut in a place, facing one way, is enough.
@@ -181,9 +177,9 @@ void measure_area(const SplitMesh& split, Undercut& undercut) {
   for (const PieceIndex piece : undercut.pieces) {
     const double area = piece_area(split, split.pieces[piece]);
     undercut.area += area;
-    sum += area * (corner(split, piece, 0) + corner(split, piece, 1) + corner(split, piece, 2)) / 3.0;
+    sum += area * split.middle(piece);
   }
-  const glm::dvec3 any = corner(split, undercut.pieces.front(), 0);
+  const glm::dvec3 any = split.corner(undercut.pieces.front(), 0);
   undercut.centre = undercut.area > 0.0 ? sum / undercut.area : any;
 }
 
@@ -193,7 +189,7 @@ void measure_extents(const SplitMesh& split, const glm::dvec3& direction, Underc
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
     for (const PieceIndex piece : undercut.pieces) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const double at = glm::dot(corner(split, piece, k) - undercut.centre, along);
+        const double at = glm::dot(split.corner(piece, k) - undercut.centre, along);
         least = std::min(least, at);
         greatest = std::max(greatest, at);
       }
@@ -214,7 +210,7 @@ bool fits(const SplitMesh& split, const Undercut& undercut, double radius) {
   return std::ranges::all_of(undercut.pieces, [&](PieceIndex piece) {
     bool within = true;
     for (std::size_t k = 0; k < 3; ++k)
-      within = within && glm::distance(corner(split, piece, k), undercut.centre) <= radius;
+      within = within && glm::distance(split.corner(piece, k), undercut.centre) <= radius;
     return within;
   });
 }
@@ -239,10 +235,10 @@ double border_length(const SplitMesh& split, const Undercut& undercut) {
 
 /// The corner of its pieces that is nearest to its centre.
 glm::dvec3 place_on(const SplitMesh& split, const Undercut& undercut) {
-  glm::dvec3 nearest = corner(split, undercut.pieces.front(), 0);
+  glm::dvec3 nearest = split.corner(undercut.pieces.front(), 0);
   for (const PieceIndex piece : undercut.pieces) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const glm::dvec3 at = corner(split, piece, k);
+      const glm::dvec3 at = split.corner(piece, k);
       if (glm::distance(at, undercut.centre) < glm::distance(nearest, undercut.centre)) nearest = at;
     }
   }
@@ -271,13 +267,9 @@ bool is_shallow(const Release& release, std::span<const UndercutSample> samples,
   });
 }
 
-glm::dvec3 middle_of(const SplitMesh& split, PieceIndex piece) {
-  return (corner(split, piece, 0) + corner(split, piece, 1) + corner(split, piece, 2)) / 3.0;
-}
-
 void put_in_order(const SplitMesh& split, const PartAxes& axes, std::vector<PieceIndex>& pieces) {
   std::vector<std::pair<PlaceKey, PieceIndex>> keys;
-  for (const PieceIndex piece : pieces) keys.emplace_back(place_key(axes, middle_of(split, piece)), piece);
+  for (const PieceIndex piece : pieces) keys.emplace_back(place_key(axes, split.middle(piece)), piece);
   std::ranges::sort(keys);
   std::ranges::transform(keys, pieces.begin(), [](const auto& key) { return key.second; });
 }
@@ -451,7 +443,7 @@ std::vector<UndercutSample> deepest_corners(const PartModel& model, const SplitM
   for (const PieceIndex piece : undercut.pieces) {
     if (piece_area(split, split.pieces[piece]) <= 0.0) continue;
     for (std::size_t k = 0; k < 3; ++k)
-      corners.push_back({glm::dot(corner(split, piece, k), direction), piece, k});
+      corners.push_back({glm::dot(split.corner(piece, k), direction), piece, k});
   }
   count = std::min(count, corners.size());
   // Heights that rounding alone distinguishes are in the order of the pieces.
@@ -462,7 +454,7 @@ std::vector<UndercutSample> deepest_corners(const PartModel& model, const SplitM
   std::vector<UndercutSample> samples;
   for (std::size_t k = 0; k < count; ++k) {
     const auto& [height, piece, which] = corners[k];
-    const glm::dvec3 at = glm::mix(corner(split, piece, which), middle_of(split, piece), k_inward);
+    const glm::dvec3 at = glm::mix(split.corner(piece, which), split.middle(piece), k_inward);
     samples.push_back({model.frame.to_unit(at), model.geometry.normals[split.pieces[piece].facet], 0.0});
   }
   return samples;

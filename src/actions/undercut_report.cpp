@@ -26,7 +26,7 @@ struct StraightWay {
 bool is_free(const PartModel& model, FacetIndex facet, const Release& release, const StraightWay& way) {
   constexpr double k_inward = 0.02;
   const TriangleMesh& mesh = model.part.mesh;
-  const glm::dvec3 middle = (mesh.corner(facet, 0) + mesh.corner(facet, 1) + mesh.corner(facet, 2)) / 3.0;
+  const glm::dvec3 middle = mesh.middle(facet);
   const auto leaves = [&](const glm::dvec3& point) {
     const UndercutSample sample{model.frame.to_unit(point), model.geometry.normals[facet], 0.0};
     return release.free_length(sample, way.direction) >= way.length;

@@ -51,8 +51,7 @@ Frame principal_frame(const PartModel& model) {
   const TriangleMesh& mesh = model.part.mesh;
   Frame frame;
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet)
-    frame.centre += model.geometry.areas[facet] *
-                    (mesh.corner(facet, 0) + mesh.corner(facet, 1) + mesh.corner(facet, 2)) / 3.0;
+    frame.centre += model.geometry.areas[facet] * mesh.middle(facet);
   if (model.geometry.total_area > 0.0) frame.centre /= model.geometry.total_area;
   glm::dmat3 sum(0.0);
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {

@@ -19,7 +19,6 @@ constexpr std::size_t k_most_cells = 2000;
 /// More labels than this are halved without looking where they are apart.
 constexpr std::size_t k_many_labels = 256;
 
-using Kind = CellBit::Kind;
 using LabelBounds = std::map<std::uint32_t, Bounds>;
 
 /// Six times the volume of the cone from `apex` over the polygon.
@@ -50,7 +49,7 @@ void add_facets(const TriangleMesh& a, const TriangleMesh& b, std::vector<CellBi
     ConvexPolygon polygon;
     for (const Point& at : corners) polygon.emplace_back(at[0], at[1], at[2]);
     if (count < 0) std::swap(polygon[1], polygon[2]);
-    for (int k = 0; k < std::abs(count); ++k) bits.push_back({Kind::facet, polygon});
+    for (int k = 0; k < std::abs(count); ++k) bits.push_back({CellBit::Kind::facet, polygon});
   }
 }
 
@@ -98,13 +97,13 @@ std::array<Cell, 2> cut_cell(Cell cell, const Cut& cut, std::uint32_t owner) {
       for (ConvexPolygon& part : parts) part.push_back(at);
       rim[is_above(a) ? 1 : 0] = at;
     }
-    if (bit.kind != Kind::changed) rims.push_back(rim);
+    if (bit.kind != CellBit::Kind::changed) rims.push_back(rim);
     for (std::size_t k = 0; k < 2; ++k) sides[k].bits.push_back({bit.kind, parts[k], bit.label});
   }
   for (const auto& [up, down] : rims) {
     const glm::dvec3& foot = rims.front()[0];
-    sides[0].bits.push_back({Kind::cap, {foot, down, up}});
-    sides[1].bits.push_back({Kind::cap, {foot, up, down}});
+    sides[0].bits.push_back({CellBit::Kind::cap, {foot, down, up}});
+    sides[1].bits.push_back({CellBit::Kind::cap, {foot, up, down}});
   }
   return sides;
 }
@@ -195,7 +194,7 @@ class Division {
   [[nodiscard]] static LabelBounds bounds_of(const std::vector<CellBit>& bits) {
     LabelBounds labels;
     for (const CellBit& bit : bits)
-      if (bit.kind == Kind::changed)
+      if (bit.kind == CellBit::Kind::changed)
         for (const glm::dvec3& corner : bit.polygon) labels[bit.label].add(corner);
     return labels;
   }
@@ -204,11 +203,11 @@ class Division {
     double sum = 0.0;
     for (const CellBit& bit : cell.bits) {
       doubts_[label] += bit.doubt;
-      if (bit.kind != Kind::facet && bit.kind != Kind::cap) continue;
+      if (bit.kind != CellBit::Kind::facet && bit.kind != CellBit::Kind::cap) continue;
       const double volume = cone(bit.polygon, apexes_[label]) / 6.0;
       sum += volume;
       // Between clean cuts nothing that comes or goes is cut.
-      if (bit.kind == Kind::facet || cell.whole) alone_[label] += volume;
+      if (bit.kind == CellBit::Kind::facet || cell.whole) alone_[label] += volume;
     }
     divided_.of_label[label].volume += sum;
     return sum;
@@ -216,7 +215,7 @@ class Division {
 
   void add_elsewhere(const Cell& cell) {
     for (const CellBit& bit : cell.bits)
-      if (bit.kind == Kind::facet || bit.kind == Kind::cap)
+      if (bit.kind == CellBit::Kind::facet || bit.kind == CellBit::Kind::cap)
         divided_.elsewhere += cone(bit.polygon, cell.bits.front().polygon.front()) / 6.0;
   }
 

@@ -6,15 +6,12 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtx/exterior_product.hpp>
 #include <glm/matrix.hpp>
 
 namespace moldlight {
 
-namespace {
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
-}  // namespace
+namespace {}  // namespace
 
 SolidProbe::SolidProbe(const TriangleMesh& mesh) : mesh_(mesh) {
   const glm::dvec3 z(std::sqrt(1.0 / 6.0), std::sqrt(1.0 / 3.0), std::sqrt(1.0 / 2.0));
@@ -47,7 +44,7 @@ int SolidProbe::winding(const glm::dvec3& point) const {
       const bool rises = from < to;
       const glm::dvec2 a = glm::dvec2(turned_[rises ? from : to]) - glm::dvec2(at),
                        b = glm::dvec2(turned_[rises ? to : from]) - glm::dvec2(at);
-      const double side = cross(a, b);
+      const double side = glm::cross(a, b);
       if ((side >= 0.0) == rises) ++left;
       weight[(k + 2) % 3] = rises ? side : -side;
     }

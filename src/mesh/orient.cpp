@@ -129,8 +129,7 @@ std::vector<std::vector<FacetIndex>> enclosing_components(const TriangleMesh& me
       for (int place = 0; place < k_points; ++place) {
         const FacetIndex facet =
             sorted.facets[sorted.first[among[i]] + count * static_cast<std::size_t>(place) / k_points];
-        const glm::dvec3 centroid =
-            (mesh.corner(facet, 0) + mesh.corner(facet, 1) + mesh.corner(facet, 2)) / 3.0;
+        const glm::dvec3 centroid = mesh.middle(facet);
         queries.push_back({ray_frame(centroid), i, place});
       }
     }

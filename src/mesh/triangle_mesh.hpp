@@ -26,6 +26,9 @@ struct TriangleMesh {
   [[nodiscard]] const glm::dvec3& corner(FacetIndex facet, int corner) const {
     return vertices[facets[facet][static_cast<std::size_t>(corner)]];
   }
+  [[nodiscard]] glm::dvec3 middle(FacetIndex facet) const {
+    return (corner(facet, 0) + corner(facet, 1) + corner(facet, 2)) / 3.0;
+  }
 };
 
 /// Axis-aligned box; min > max for a mesh without facets.

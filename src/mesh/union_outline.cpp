@@ -10,6 +10,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtx/exterior_product.hpp>
 
 namespace moldlight {
 
@@ -20,8 +21,6 @@ using Corners = std::array<std::uint32_t, 3>;
 constexpr double k_aside = 6.0 * k_outline_step;  // where it is tested whether the right is covered
 constexpr double k_gap = 20.0 * k_outline_step;
 constexpr double k_straight = k_outline_step;  // by which a corner must leave the line of its neighbours
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// A square of a grid, as one number.
 std::uint64_t cell_key(std::int64_t x, std::int64_t y) {
@@ -83,9 +82,9 @@ class Cover {
     const auto [x, y] = cell(at);
     return std::ranges::any_of(lists_[static_cast<std::size_t>(y * count_ + x)], [&](std::uint32_t k) {
       const auto& [a, b, c] = triangles_[k];
-      return cross(points_[b] - points_[a], at - points_[a]) >= 0.0 &&
-             cross(points_[c] - points_[b], at - points_[b]) >= 0.0 &&
-             cross(points_[a] - points_[c], at - points_[c]) >= 0.0;
+      return glm::cross(points_[b] - points_[a], at - points_[a]) >= 0.0 &&
+             glm::cross(points_[c] - points_[b], at - points_[b]) >= 0.0 &&
+             glm::cross(points_[a] - points_[c], at - points_[c]) >= 0.0;
     });
   }
 
@@ -132,7 +131,8 @@ std::vector<Edge> cut_sides(const std::vector<Edge>& sides, PointSet& points) {
   const auto note_end = [&](std::size_t k, std::uint32_t end) {
     const glm::dvec2 from = points[sides[k][0]], way = points[sides[k][1]] - from;
     const double length = glm::length(way), along = glm::dot(points[end] - from, way) / length;
-    if (along > 0.0 && along < length && std::abs(cross(way, points[end] - from)) <= k_outline_step * length)
+    if (along > 0.0 && along < length &&
+        std::abs(glm::cross(way, points[end] - from)) <= k_outline_step * length)
       cuts[k].emplace_back(along / length, end);
   };
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -146,10 +146,10 @@ std::vector<Edge> cut_sides(const std::vector<Edge>& sides, PointSet& points) {
       if (std::max(start.y, end.y) < bottom || std::min(start.y, end.y) > top) continue;
       for (const std::uint32_t corner : sides[b]) note_end(a, corner);
       for (const std::uint32_t corner : sides[a]) note_end(b, corner);
-      const double turn = cross(to - from, end - start);
+      const double turn = glm::cross(to - from, end - start);
       if (turn == 0.0) continue;
-      const double on_a = cross(start - from, end - start) / turn,
-                   on_b = cross(start - from, to - from) / turn;
+      const double on_a = glm::cross(start - from, end - start) / turn,
+                   on_b = glm::cross(start - from, to - from) / turn;
       if (!(on_a > 0.0 && on_a < 1.0 && on_b > 0.0 && on_b < 1.0)) continue;
       const std::uint32_t met = points.add(from + on_a * (to - from));
       cuts[a].emplace_back(on_a, met);
@@ -211,7 +211,7 @@ class Chain {
     const auto [begin, end] = left_.equal_range(at);
     const auto turn = [&](const auto& edge) {
       const glm::dvec2 way = points_[edge.second] - points_[at];
-      return std::atan2(cross(came, way), glm::dot(came, way));
+      return std::atan2(glm::cross(came, way), glm::dot(came, way));
     };
     return std::max_element(begin, end, [&](const auto& a, const auto& b) { return turn(a) < turn(b); });
   }
@@ -243,7 +243,7 @@ std::vector<glm::dvec2> straightened(const std::vector<glm::dvec2>& loop) {
     const glm::dvec2& before = kept.empty() ? loop.back() : kept.back();
     const glm::dvec2 way = loop[(k + 1) % loop.size()] - before;
     const double length = glm::length(way);
-    if (length > 0.0 && std::abs(cross(way, loop[k] - before)) <= k_straight * length &&
+    if (length > 0.0 && std::abs(glm::cross(way, loop[k] - before)) <= k_straight * length &&
         glm::dot(loop[k] - before, way) >= 0.0)
       continue;
     kept.push_back(loop[k]);
@@ -263,7 +263,7 @@ std::optional<std::vector<std::vector<glm::dvec2>>> union_outline(std::span<cons
   for (const Corners& corners : triangles) {
     Corners each = {number[corners[0]], number[corners[1]], number[corners[2]]};
     if (each[0] == each[1] || each[1] == each[2] || each[2] == each[0]) continue;
-    const double area = cross(joined[each[1]] - joined[each[0]], joined[each[2]] - joined[each[0]]);
+    const double area = glm::cross(joined[each[1]] - joined[each[0]], joined[each[2]] - joined[each[0]]);
     if (area == 0.0) continue;
     if (area < 0.0) std::swap(each[1], each[2]);
     turned.push_back(each);
@@ -295,7 +295,7 @@ double enclosed_area(std::span<const std::vector<glm::dvec2>> loops) {
   double area = 0.0;
   for (const std::vector<glm::dvec2>& loop : loops) {
     for (std::size_t k = 0; k < loop.size(); ++k)
-      area += 0.5 * cross(loop[k] - loop.front(), loop[(k + 1) % loop.size()] - loop.front());
+      area += 0.5 * glm::cross(loop[k] - loop.front(), loop[(k + 1) % loop.size()] - loop.front());
   }
   return area;
 }

@@ -31,9 +31,10 @@ struct Edge {
 };
 
 /// Columns beyond every map are as good as any.
-constexpr double k_far = 65536.0;
+constexpr double k_most_columns = 65536.0;
 int floor_of(double columns) {
-  return static_cast<int>(std::clamp(columns, -k_far, k_far) + k_far) - static_cast<int>(k_far);
+  return static_cast<int>(std::clamp(columns, -k_most_columns, k_most_columns) + k_most_columns) -
+         static_cast<int>(k_most_columns);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ glm::dvec3 folded_at(const TriangleMesh& mesh, const glm::dvec3& lid, double top
     const double seen = glm::dot(lid, twice_area_vector(mesh, facet));
     if (seen <= most || in_lid(mesh, facet, lid, top)) continue;
     most = seen;
-    place = (mesh.corner(facet, 0) + mesh.corner(facet, 1) + mesh.corner(facet, 2)) / 3.0;
+    place = mesh.middle(facet);
   }
   return place;
 }

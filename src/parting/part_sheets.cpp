@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtx/exterior_product.hpp>
 
 #include "mesh/union_find.hpp"
 
@@ -43,8 +44,6 @@ Sheet sheet_of(const SplitPiece& piece, const Sheets& sheets) {
 constexpr double k_widest = 1e-5, k_most_lean = 2e-3, k_upright = 1e-10;
 constexpr double k_farthest = 2.0 * k_widest;
 constexpr int k_most_rounds = 200;
-
-double cross(const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; }
 
 class Straightener {
  public:
@@ -147,7 +146,7 @@ class Straightener {
       const glm::dvec2 along = place_[c[1]] - place_[c[0]], away = place_[c[2]] - place_[c[0]];
       const double length = glm::length(along);
       if (length <= 0.0) continue;
-      const double off = cross(along, away) / length;
+      const double off = glm::cross(along, away) / length;
       worst = std::max(worst, std::abs(off));
       const double share = std::clamp(glm::dot(away, along) / (length * length), 0.0, 1.0);
       const glm::dvec2 step = off / (1.0 + share * share + (1.0 - share) * (1.0 - share)) *

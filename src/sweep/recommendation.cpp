@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "classify/classification.hpp"
-#include "classify/number_format.hpp"
+#include "classify/figure_table.hpp"
 #include "mold/direction.hpp"
 #include "sweep/sweep_texts.hpp"
 
@@ -25,17 +25,13 @@ bool faces_a_wall(const PartModel& model, FacetIndex facet, const glm::dvec3& di
   if (std::abs(sine) > k_wall_sine) return false;
   const glm::dvec3 across = glm::normalize(normal - sine * direction);
   const TriangleMesh& mesh = model.part.mesh;
-  const glm::dvec3 middle = (mesh.corner(facet, 0) + mesh.corner(facet, 1) + mesh.corner(facet, 2)) / 3.0;
+  const glm::dvec3 middle = mesh.middle(facet);
   return model.rays().first_hit(model.frame.to_unit(middle), glm::vec3(across), true).has_value();
 }
 
 struct Formed {
   double inner = 0.0, alone = 0.0;
 };
-
-std::string area_text(const PartModel& model, double area) {
-  return rounded(area) + " " + powered_unit(model.part, 2);
-}
 
 struct CoreSide {
   bool along = true;  // the core is on the direction's side, else on the opposite one
@@ -58,6 +54,9 @@ CoreSide core_side(const PartModel& model, const Query& query, const Progress& p
     cavity.inner += by_cavity;
   }
   const double as_much = k_as_much * model.geometry.total_area;
+  const auto area = [style = FigureStyle(model)](double one) {
+    return style.with_unit(FigureKind::area, one);
+  };
   const auto made = [&](bool along, const std::string& why) {
     const glm::dvec3 side = along ? found.direction : -found.direction;
     return CoreSide{along, fmt::format("The core is on the side of {}: {}", direction_words(side), why)};
@@ -66,12 +65,12 @@ CoreSide core_side(const PartModel& model, const Query& query, const Progress& p
     const auto [less, more] = std::minmax(core.inner, cavity.inner);
     return made(difference > 0.0,
                 fmt::format("the part shrinks onto {} of inner walls there, and onto {} on the other side",
-                            area_text(model, more), area_text(model, less)));
+                            area(more), area(less)));
   }
   if (const double difference = core.alone - cavity.alone; std::abs(difference) > as_much) {
     const auto [less, more] = std::minmax(core.alone, cavity.alone);
     return made(difference > 0.0, fmt::format("that half alone forms {} of the surface, the other half {}",
-                                              area_text(model, more), area_text(model, less)));
+                                              area(more), area(less)));
   }
   return made(true, "either half may be the core, since both form the same area");
 }

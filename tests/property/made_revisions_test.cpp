@@ -19,7 +19,7 @@ struct RealPart {
 };
 
 /// Closed ones with a volume, of so many facets that all of them take seconds.
-const std::vector<RealPart>& real_parts() {
+const std::vector<RealPart>& parts_to_revise() {
   constexpr std::size_t k_most = 3000;
   static const std::vector<RealPart> k_parts = [] {
     std::vector<RealPart> parts;
@@ -61,7 +61,7 @@ double steel_told(const Comparison& comparison) {
 }
 
 TEST(MadeRevision, ThatIsTheSamePartIsNone) {
-  for (const RealPart& part : real_parts()) {
+  for (const RealPart& part : parts_to_revise()) {
     EXPECT_FALSE(told_of(part.mesh, test::permuted(part.mesh, 5), false).surface.any()) << part.name;
     const TriangleMesh turned = test::rounded_to_float(
         test::translated(test::rotated(part.mesh, test::random_rotation(11)), {5.0, -3.0, 8.0}));
@@ -70,7 +70,7 @@ TEST(MadeRevision, ThatIsTheSamePartIsNone) {
 }
 
 TEST(MadeRevision, OfAnotherSizeIsNamed) {
-  for (const RealPart& part : real_parts()) {
+  for (const RealPart& part : parts_to_revise()) {
     const TriangleMesh larger = test::rounded_to_float(test::scaled(part.mesh, 1.01));
     const Comparison lying = told_of(part.mesh, larger, false);
     const TriangleMesh turned =
@@ -89,7 +89,7 @@ TEST(MadeRevision, OfAnotherSizeIsNamed) {
 }
 
 TEST(MadeRevision, ThatIsAMirrorImageIsTold) {
-  for (const RealPart& part : real_parts()) {
+  for (const RealPart& part : parts_to_revise()) {
     const Comparison found = told_of(part.mesh, test::mirrored(part.mesh), true);
     // What is its own mirror image has not changed.
     EXPECT_EQ(!found.surface.places.empty(), found.alignment->mirrored) << part.name;
@@ -97,7 +97,7 @@ TEST(MadeRevision, ThatIsAMirrorImageIsTold) {
 }
 
 TEST(MadeRevision, WithARaisedRimCutsAndAddsWhatWasDone) {
-  for (const RealPart& part : real_parts()) {
+  for (const RealPart& part : parts_to_revise()) {
     double top = -INFINITY, bottom = INFINITY;
     for (const glm::dvec3& vertex : part.mesh.vertices) {
       top = std::max(top, vertex.z);

@@ -23,6 +23,13 @@ struct SplitPiece {
 struct SplitMesh {
   std::vector<glm::dvec3> vertices;
   std::vector<SplitPiece> pieces;
+
+  [[nodiscard]] const glm::dvec3& corner(std::size_t piece, std::size_t k) const {
+    return vertices[pieces[piece].corners[k]];
+  }
+  [[nodiscard]] glm::dvec3 middle(std::size_t piece) const {
+    return (corner(piece, 0) + corner(piece, 1) + corner(piece, 2)) / 3.0;
+  }
 };
 /// The pieces as a mesh of their own: facet k is piece k.
 [[nodiscard]] TriangleMesh piece_mesh(const SplitMesh& split);

@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtx/exterior_product.hpp>
 
 namespace moldlight {
 
@@ -19,8 +20,6 @@ constexpr double k_behind = 1e-9;
 /// Segments of the outline that are looked at together.
 constexpr std::size_t k_group = 16;
 
-double cross(const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; }
-
 /// A source's greatest height over a place, less the slope times the way beyond the land.
 double reached(const Envelope::Source& source, const glm::dvec2& at, double slope) {
   const glm::dvec2 along = source.ends[1] - source.ends[0];
@@ -31,7 +30,7 @@ double reached(const Envelope::Source& source, const glm::dvec2& at, double slop
   };
   if (length <= 0.0) return from(0.0);
   const double beside = glm::dot(at - source.ends[0], along) / length;
-  const double away = std::abs(cross(along, at - source.ends[0])) / length;
+  const double away = std::abs(glm::cross(along, at - source.ends[0])) / length;
   const double climb = (source.heights[1] - source.heights[0]) / length;
   // Uphill of the nearest point as long as the way grows less.
   double shift = 0.0;
@@ -135,7 +134,8 @@ double Envelope::at(const glm::dvec2& place, double least) const {
     for (std::size_t k = group.first; k < group.last; ++k) {
       const Source& source = sources_[k];
       const glm::dvec2 away = place - source.ends[0];
-      if (std::max(cross(source.fronts[0], away), cross(source.fronts[1], away)) < -k_behind) continue;
+      if (std::max(glm::cross(source.fronts[0], away), glm::cross(source.fronts[1], away)) < -k_behind)
+        continue;
       most = std::max(most, reached(source, place, slope_));
     }
   }

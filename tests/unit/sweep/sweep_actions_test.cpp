@@ -12,6 +12,7 @@
 #include "sweep/direction_actions.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep.hpp"
+#include "sweep/sweep_texts.hpp"
 
 namespace moldlight {
 namespace {
@@ -96,8 +97,6 @@ std::string axes(const SweepResult& result) {
   return names;
 }
 
-double undercut(const SweepCandidate& candidate) { return candidate.classification.areas[Region::undercut]; }
-
 TEST(SweepActions, DecideTies) {
   SweepSettings settings = of_axes();
   const SweepResult plain = sweep_of(block(), settings);
@@ -117,8 +116,8 @@ TEST(SweepActions, DecideTies) {
   EXPECT_EQ(figure_value(direction_figure("unreleased_area"), result.candidates[0]), 0.0);
   EXPECT_NEAR(*figure_value(direction_figure("travel"), result.candidates[0]), k_depth + 3.0, 0.1);
   // But for the order of ties it is the same list.
-  EXPECT_EQ(undercut(plain.candidates[0]), undercut(result.candidates[1]));
-  EXPECT_EQ(undercut(plain.candidates[2]), undercut(result.candidates[2]));
+  EXPECT_EQ(undercut_area(plain.candidates[0]), undercut_area(result.candidates[1]));
+  EXPECT_EQ(undercut_area(plain.candidates[2]), undercut_area(result.candidates[2]));
 }
 
 TEST(SweepActions, AreAnObjective) {
@@ -130,7 +129,7 @@ TEST(SweepActions, AreAnObjective) {
   EXPECT_EQ(result.candidates[0].actions->text(), "2 slides");
   EXPECT_EQ(result.candidates[0].tie_group, 1U);
   EXPECT_EQ(result.candidates[1].tie_group, 2U);
-  EXPECT_GT(undercut(result.candidates[0]), undercut(result.candidates[1]));
+  EXPECT_GT(undercut_area(result.candidates[0]), undercut_area(result.candidates[1]));
   settings.objective = parse_objective("travel");
   EXPECT_EQ(axes(sweep_of(block(14.0), settings)).front(), 'x') << "the deep pockets are the mold's";
 }
