@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
+#include <tbb/parallel_for.h>
 
 #include "actions/release.hpp"
 #include "mesh/symmetric_eigen.hpp"
@@ -114,32 +115,40 @@ struct ScrewMotion {
   double off;              // that the samples begin off the surface
 };
 
-/// Share of the samples' area that meets the part when it is screwed out; of few of them, where these say
+/// Whether the sample meets the part when it is screwed out.
+bool meets(const PartModel& model, const UndercutSample& sample, const ScrewMotion& motion) {
+  const double step = glm::radians(k_step_deg);
+  const glm::dvec3 start = glm::dvec3(sample.position) + motion.off * sample.normal - motion.point;
+  const auto placed = [&](double turned) {
+    return motion.point + glm::angleAxis(motion.sense * turned, motion.axis) * start +
+           motion.sense * turned * motion.advance * motion.axis;
+  };
+  glm::dvec3 at = placed(0.0);
+  for (double turned = step; turned <= motion.turn; turned += step) {
+    const glm::dvec3 next = placed(turned);
+    const double length = glm::distance(at, next);
+    const auto hit = model.rays().first_hit(glm::vec3(at), glm::vec3((next - at) / length), true);
+    if (hit && static_cast<double>(hit->distance) < length) return true;
+    at = next;
+  }
+  return false;
+}
+
+/// Share of the samples' area that meets the part when they are screwed out; of few of them, where these say
 /// that most does, or where they are more than k_nearly_meets of it.
 double met_share(const PartModel& model, std::span<const UndercutSample> samples, const ScrewMotion& motion) {
-  const double step = glm::radians(k_step_deg);
   const double enough = k_nearly_meets * area_of(samples);
   double met = 0.0, total = 0.0;
-  std::size_t asked = 0;
-  for (const UndercutSample& sample : samples) {
+  for (std::size_t first = 0; first < samples.size(); first += k_first_turned) {
     // The first of them are spread over all of it.
-    if (met > enough || (asked++ == k_first_turned && met > k_hopeless * total)) break;
-    total += sample.area;
-    const glm::dvec3 start = glm::dvec3(sample.position) + motion.off * sample.normal - motion.point;
-    const auto placed = [&](double turned) {
-      return motion.point + glm::angleAxis(motion.sense * turned, motion.axis) * start +
-             motion.sense * turned * motion.advance * motion.axis;
-    };
-    glm::dvec3 at = placed(0.0);
-    for (double turned = step; turned <= motion.turn; turned += step) {
-      const glm::dvec3 next = placed(turned);
-      const double length = glm::distance(at, next);
-      const auto hit = model.rays().first_hit(glm::vec3(at), glm::vec3((next - at) / length), true);
-      if (hit && static_cast<double>(hit->distance) < length) {
-        met += sample.area;
-        break;
-      }
-      at = next;
+    if (met > enough || (first == k_first_turned && met > k_hopeless * total)) break;
+    const auto some = samples.subspan(first, std::min(k_first_turned, samples.size() - first));
+    std::array<bool, k_first_turned> met_by{};
+    tbb::parallel_for(std::size_t{0}, some.size(),
+                      [&](std::size_t k) { met_by[k] = meets(model, some[k], motion); });
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      total += some[k].area;
+      if (met_by[k]) met += some[k].area;
     }
   }
   return met / total;
