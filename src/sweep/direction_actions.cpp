@@ -90,6 +90,7 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
           .undercuts = totals, .weight = least.weight, .formed_area = totals.area, .given_up = true};
       if (limited && limit.is_exceeded(least, totals)) return given_up;
       const bool many = totals.count > k_many;
+      if (limit.roughly && many && totals.area > limit.most_of_many) return given_up;
       if (limit.roughly && (limited || many)) {
         DirectionActions rough = found(PlanDetail::rough);
         if (limited && limit.is_far_exceeded(rough)) return given_up;

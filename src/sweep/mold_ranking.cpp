@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t k_together = 4;     // between two looks at what is certain to be heavier
 constexpr double k_same_place_deg = 3.0;  // beside a canonical direction that costs no more nothing is listed
 constexpr double k_beside_deg = 10.0;     // where a canonical direction stands for one found by search
+constexpr double k_hopeless = 2.0;        // of the least undercut that is known: beside many it is no gain
 constexpr std::size_t k_most_overtaken = 6;  // whose bodies are found beside those of the listed ones
 
 double angle_deg(const Contender& a, const Contender& b) {
@@ -78,7 +79,8 @@ ActionLimit MoldRanking::limit(const Contender& contender) const {
                     .per_area = k_effort_of_formed / area,
                     .left = left * area,
                     .left_band = band * area,
-                    .roughly = best_alone_};
+                    .roughly = best_alone_,
+                    .most_of_many = k_hopeless * least_undercut_};
   if (contender.candidate.from_user()) return limit;
   // What is found beside it is listed for fewer side actions alone, and where walls stay upright not for
   // these.
@@ -143,6 +145,7 @@ void MoldRanking::take_down(const Contender& contender) {
   const double left = contender.cost->of(MoldCriterion::unreleased);
   const double effort = contender.cost->of(MoldCriterion::effort);
   const double band = mold_band(MoldCriterion::unreleased);
+  least_undercut_ = std::min(least_undercut_, contender.actions->undercuts.area);
   if (left + mold_band(MoldCriterion::unreleased, left) < least_left_) {
     least_left_ = left;
     least_effort_ = effort;
@@ -280,7 +283,10 @@ bool MoldRanking::Listed::is_confirmed(std::size_t place) const {
 MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, std::size_t most) {
   for (std::size_t looked_at = 0;;) {
     Listed list = listed(contenders);
-    const auto leading = std::span(list.contenders).first(std::min(most, list.contenders.size()));
+    if (best_alone_ && list.is_confirmed(0)) return list;
+    // Where the first has lost its place, the next may, too.
+    const std::size_t together = looked_at == 0 ? most : std::max(most, k_together);
+    const auto leading = std::span(list.contenders).first(std::min(together, list.contenders.size()));
     // Several at a time; of those behind the first only so many more than are listed.
     const std::size_t room = most + k_most_overtaken - std::min(most + k_most_overtaken, looked_at);
     std::vector<glm::dvec3> open;

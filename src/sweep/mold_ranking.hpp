@@ -75,6 +75,7 @@ class MoldRanking {
   /// leave no more, but for what ties.
   double least_left_ = std::numeric_limits<double>::infinity();
   double least_effort_ = std::numeric_limits<double>::infinity();
+  double least_undercut_ = std::numeric_limits<double>::infinity();  // area
   std::vector<Known> known_;
   bool free_ = false, best_alone_ = false;
 };
