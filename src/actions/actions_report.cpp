@@ -11,6 +11,7 @@
 #include "actions/action_figures.hpp"
 #include "actions/best_changes.hpp"
 #include "classify/classify_report.hpp"
+#include "classify/json.hpp"
 #include "classify/method_options.hpp"
 #include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
@@ -19,8 +20,6 @@
 namespace moldlight {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string_view side_name(bool core_side) { return region_name(core_side ? Region::core : Region::cavity); }
 

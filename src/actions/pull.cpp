@@ -144,13 +144,13 @@ std::optional<PullCandidate> PullFinder::meant_within(const Pull& pull,
                                                       std::span<const PullCandidate> others) const {
   constexpr double k_wide_deg = 10.0;
   constexpr double k_margin = 0.15, k_narrow_margin = 0.25;  // to the ends, of the width
-  constexpr double k_parallel = 0.9;                         // of tau
+  constexpr double k_nearly_upright = 0.9;                   // of tau
   const double from_deg = pull.interval.from_deg, to_deg = pull.interval.to_deg;
   const double width_deg = to_deg - from_deg, lean_deg = elevation_deg(pull.direction, direction_);
   const bool wide = width_deg > k_wide_deg;
   const double least_deg = (wide ? k_margin : k_narrow_margin) * width_deg;
   // Along walls that say where the part points a slide leaves at the end of what is free but for the draft.
-  const double least_part_deg = wide ? std::min(least_deg, k_parallel * tau_deg_) : least_deg;
+  const double least_part_deg = wide ? std::min(least_deg, k_nearly_upright * tau_deg_) : least_deg;
   std::optional<PullCandidate> best;
   double margin_deg = 0.0;
   const auto look_at = [&](const PullCandidate& other) {

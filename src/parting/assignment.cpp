@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -36,6 +37,8 @@ constexpr std::size_t k_most_heights = 10;
 constexpr double k_level_sine = 0.01;  // a crease that climbs less is level
 /// Reverse draft below this is rounding.
 constexpr double k_least_sine = 1e-5;
+/// Pieces that are narrower, as a share of the diagonal, are what rounding leans out or hides.
+constexpr double k_least_width = 1e-6;
 
 /// The costs of one part's pieces.
 struct Costs {
@@ -215,6 +218,53 @@ std::vector<std::uint8_t> action_pieces(const PartModel& model, const Assignment
   return found;
 }
 
+/// 1 for a piece that no width is left of.
+std::vector<std::uint8_t> needles(const SplitMesh& mesh, double width) {
+  std::vector<std::uint8_t> found(mesh.pieces.size(), 0);
+  for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece) {
+    double longest = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, glm::distance(mesh.corner(piece, k), mesh.corner(piece, (k + 1) % 3)));
+    found[piece] = glm::length(twice_piece_area(mesh, piece)) <= width * longest ? 1 : 0;
+  }
+  return found;
+}
+
+/// Connected pieces of a half that no width is left of go to the side that they have the longest border with;
+/// those inside an action, narrower than the lateral tolerance (part's unit), to it.
+void join_narrow(const Assignment& assignment, double least_width, double lateral,
+                 std::vector<MoldSide>& sides) {
+  struct Component {
+    double area = 0.0;
+    std::array<double, k_side_count> border{};  // by the side across
+  };
+  UnionFind joined(sides.size());
+  for (const PieceEdge& edge : assignment.edges.edges) {
+    if (edge.right != k_no_piece && sides[edge.left] == sides[edge.right]) joined.join(edge.left, edge.right);
+  }
+  std::vector<Component> components(sides.size());
+  for (PieceIndex piece = 0; piece < sides.size(); ++piece)
+    components[joined.find(piece)].area += 0.5 * glm::length(twice_piece_area(assignment.mesh, piece));
+  for (const PieceEdge& edge : assignment.edges.edges) {
+    if (edge.right == k_no_piece || sides[edge.left] == sides[edge.right]) continue;
+    const double length =
+        glm::distance(assignment.mesh.vertices[edge.from], assignment.mesh.vertices[edge.to]);
+    components[joined.find(edge.left)].border[static_cast<std::size_t>(sides[edge.right])] += length;
+    components[joined.find(edge.right)].border[static_cast<std::size_t>(sides[edge.left])] += length;
+  }
+  constexpr auto k_action = static_cast<std::size_t>(MoldSide::action);
+  std::vector<MoldSide> tidied = sides;
+  for (PieceIndex piece = 0; piece < sides.size(); ++piece) {
+    if (sides[piece] == MoldSide::action) continue;
+    const auto& [area, border] = components[joined.find(piece)];
+    const double length = std::accumulate(border.begin(), border.end(), 0.0);
+    const bool inside_action = length > 0.0 && border[k_action] == length;
+    if (2.0 * area < (inside_action ? lateral : least_width) * length)
+      tidied[piece] = static_cast<MoldSide>(std::ranges::max_element(border) - border.begin());
+  }
+  sides = std::move(tidied);
+}
+
 void sum_areas(const PartModel& model, const Costs& costs, Assignment& assignment) {
   for (PieceIndex piece = 0; piece < assignment.sides.size(); ++piece) {
     const double area = costs.area[piece];
@@ -268,12 +318,17 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
   progress.report("assigning", 0.0);
 
   result.edges = piece_edges(result.mesh);
+  const double least_width = k_least_width * model.frame.diagonal;
+  const std::vector<std::uint8_t> needle = needles(result.mesh, least_width);
+  const double upright = std::sin(glm::radians(query.method.tau_deg));
   const std::vector<std::uint8_t> is_action = action_pieces(model, result, exact);
   result.free.assign(result.mesh.pieces.size(), 0);
   for (PieceIndex piece = 0; piece < result.mesh.pieces.size(); ++piece) {
     const Region region = result.mesh.pieces[piece].region;
     // Undercuts too small for an action go to either half.
-    result.free[piece] = region == Region::both || (region == Region::undercut && is_action[piece] == 0);
+    const double sine = glm::dot(model.geometry.normals[result.mesh.pieces[piece].facet], result.direction);
+    result.free[piece] = region == Region::both || (region == Region::undercut && is_action[piece] == 0) ||
+                         (region != Region::undercut && needle[piece] != 0 && std::abs(sine) <= upright);
   }
   if (settings.parting_height) {
     cut_at_height(result.mesh, result.free,
@@ -318,6 +373,7 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
   result.energy_to_cavity = all_to(MoldSide::cavity);
   result.energy = best->energy;
   result.sides = std::move(best->sides);
+  join_narrow(result, least_width, exact.lateral * model.frame.diagonal, result.sides);
   sum_areas(model, costs, result);
   return result;
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
+#include "classify/json.hpp"
 #include "classify/method_options.hpp"
 #include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
@@ -14,8 +15,6 @@
 namespace moldlight {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json settings_json(const SweepResult& result) {
   Json settings = options_json(method_options(), result.settings.method);

@@ -144,12 +144,12 @@ std::optional<HeightHandle> height_handle(const AppState& state, const FreeArea&
     return glm::dot(place, state.camera.right()) + 1e-3 * glm::dot(place, state.camera.toward_viewer());
   };
   handle.at = *std::ranges::max_element(handle.outline, {}, to_the_right);
-  constexpr int k_places = 64;  // a side of the outline
+  constexpr int k_outline_places = 64;  // a side of the outline
   std::optional<glm::dvec3> seen;
   for (std::size_t k = 0; k < 4; ++k) {
-    for (int place = 0; place < k_places; ++place) {
-      const glm::dvec3 at =
-          glm::mix(handle.outline[k], handle.outline[(k + 1) % 4], static_cast<double>(place) / k_places);
+    for (int place = 0; place < k_outline_places; ++place) {
+      const glm::dvec3 at = glm::mix(handle.outline[k], handle.outline[(k + 1) % 4],
+                                     static_cast<double>(place) / k_outline_places);
       const auto pixel = project(state.camera, free.window, at);
       if (pixel && is_within(free, *pixel) && (!seen || to_the_right(at) > to_the_right(*seen))) seen = at;
     }

@@ -11,6 +11,7 @@
 #include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/curved_solids.hpp"
+#include "support/mesh_edits.hpp"
 #include "support/shapes.hpp"
 #include "support/solid_builder.hpp"
 
@@ -73,6 +74,22 @@ TEST(PartingLine, OfABoxGoesOnceAroundIt) {
   EXPECT_NEAR(std::abs(loop.area), 12.0, 1e-9);
   EXPECT_NE(found.verdict().find("Parting line: planar at z = "), std::string::npos) << found.verdict();
   EXPECT_NE(found.verdict().find("No shut-offs."), std::string::npos) << found.verdict();
+}
+
+/// Upright walls in a corner hide needles of each other once their corners are rounded.
+TEST(PartingLine, OfWallsThatRoundingLeansIsPlanar) {
+  test::SolidBuilder builder;
+  builder.extrude(
+      {{0, 0}, {60, 0}, {60, 18}, {50, 18}, {50, 15}, {56, 15}, {56, 4}, {4, 4}, {4, 12}, {0, 12}}, {}, 20.0);
+  const TriangleMesh mesh = builder.mesh();
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    const glm::dquat turn = test::random_rotation(seed);
+    const Found found = find(test::rounded_to_float(test::rotated(mesh, turn)), turn * glm::dvec3(0, 1, 0));
+    const PartingLoop& outer = found.line.loops.front();
+    EXPECT_NEAR(outer.length, 184.0, 1e-4) << "turn " << seed;
+    EXPECT_EQ(outer.steep_length, 0.0) << "turn " << seed;
+    EXPECT_NE(found.verdict().find("Parting line: planar"), std::string::npos) << found.verdict();
+  }
 }
 
 TEST(PartingLine, SaysOfWhichLoopsItsStepsAre) {
