@@ -165,10 +165,14 @@ std::vector<Candidate> canonical_candidates(const PartModel& model) {
       continue;
     const std::string of_surface =
         fmt::format("{:.{}f} % of the surface", 100.0 * share, share < 0.095 ? 1 : 0);
-    const std::string name = fmt::format("{}, {}",
-                                         group.round() ? "axis of round walls"
+    const bool has_rounds = glm::length(group.of_rounds) >= k_least_canonical_share * geometry.total_area;
+    const std::string name = fmt::format("{}{}, {}",
+                                         group.round() ? ""
                                          : largest     ? "normal of the largest plane"
                                                        : "normal of planes",
+                                         group.round() ? "axis of round walls"
+                                         : has_rounds  ? " and axis of round walls"
+                                                       : "",
                                          of_surface);
     Candidate candidate =
         canonical(line, group.round() ? CandidateKind::revolution : CandidateKind::plane, name, share, name);

@@ -52,6 +52,17 @@ TEST(Canonical, PlanesAreFoundInATurnedPart) {
   EXPECT_EQ(smallest->canonical->name, "normal of planes, 14 % of the surface");
 }
 
+TEST(Canonical, RoundWallsAboutTheNormalOfPlanesAreNamedWithThem) {
+  const glm::dquat rotation = test::random_rotation(5);
+  test::SolidBuilder disc;
+  disc.extrude(test::regular_polygon(96, 10.0), {}, 5.0);
+  const std::vector<Candidate> found = canonical_of(test::rotated(disc.mesh(), rotation));
+  const Candidate* axis = along(found, rotation * glm::dvec3(0, 1, 0), 1e-6);
+  ASSERT_NE(axis, nullptr);
+  EXPECT_EQ(axis->canonical->name,
+            "normal of the largest plane and axis of round walls, 100 % of the surface");
+}
+
 /// How many of the file's axes are canonical.
 std::size_t axes_in(const std::vector<Candidate>& candidates) {
   return static_cast<std::size_t>(std::ranges::count_if(candidates, [](const Candidate& each) {
