@@ -12,12 +12,14 @@
 namespace moldlight::gui {
 
 constexpr int k_most_settling_frames = 600;
+constexpr int k_drawn_waiting = 8;  // one frame in so many: what is waited for needs the cores
 constexpr std::chrono::minutes k_patience(10);
 
 // ImGui's renderer finds its functions through GLX's or EGL's table, which OSMesa has no part in.
 OffscreenWindow::OffscreenWindow(const OffscreenOptions& options)
-    : context_(moldlight::create_context(Backend::egl)), content_scale_(options.content_scale) {
-  target_ = std::make_unique<gl::ColourTarget>(context_->functions(), options.size);
+    : context_(moldlight::create_context(Backend::egl)),
+      size_(options.size),
+      content_scale_(options.content_scale) {
   AppOptions app = options;
   app.make_context = create_context;
   app_ = std::make_unique<App>(*context_, std::move(app));
@@ -31,11 +33,6 @@ void OffscreenWindow::press_key(const KeyPress& press) {
   input_.release_key(now_s_, press.key);
 }
 
-void OffscreenWindow::resize(const glm::ivec2& size) {
-  context_->make_current();
-  target_ = std::make_unique<gl::ColourTarget>(context_->functions(), size);
-}
-
 ScreenBox OffscreenWindow::control(std::string_view name) const {
   const auto found = app_->controls().find(name);
   if (found == app_->controls().end())
@@ -45,14 +42,14 @@ ScreenBox OffscreenWindow::control(std::string_view name) const {
 
 void OffscreenWindow::make_frame() {
   context_->make_current();
-  FrameInput input{.size = target_->size(),
+  FrameInput input{.size = size_,
                    .content_scale = content_scale_,
                    .now_s = now_s_,
                    .played = {},
                    .dropped = std::exchange(dropped_, {})};
   app_->prepare(input);
   ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = glm::vec2(target_->size());
+  io.DisplaySize = glm::vec2(size_);
   io.DisplayFramebufferScale = ImVec2(1.0F, 1.0F);
   input.played = input_.play(io, now_s_);
   app_->frame(input);
@@ -60,7 +57,9 @@ void OffscreenWindow::make_frame() {
 
 bool OffscreenWindow::frame_at_once() {
   make_frame();
-  return app_->draw({.framebuffer = target_->framebuffer(), .size = target_->size()});
+  if (!target_ || target_->size() != size_)
+    target_ = std::make_unique<gl::ColourTarget>(context_->functions(), size_);
+  return app_->draw({.framebuffer = target_->framebuffer(), .size = size_});
 }
 
 void OffscreenWindow::lay_out() {
@@ -82,8 +81,12 @@ void OffscreenWindow::frames_asked_for() {
 
 void OffscreenWindow::wait_while(const std::function<bool()>& waiting, const char* complaint) {
   const auto start = std::chrono::steady_clock::now();
-  while (waiting()) {
-    frame();
+  for (int k = 0; waiting(); ++k) {
+    if (k % k_drawn_waiting == 0) {
+      frame();
+    } else {
+      lay_out();
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     if (std::chrono::steady_clock::now() - start > k_patience) throw Error(complaint);
   }

@@ -41,7 +41,7 @@ class OffscreenWindow {
   void hold_modifiers(bool ctrl, bool shift, bool alt) { input_.hold_modifiers(now_s_, ctrl, shift, alt); }
   void type(const std::string& text) { input_.type(now_s_, text); }
   void drop(const std::string& path) { dropped_.push_back(path); }
-  void resize(const glm::ivec2& size);
+  void resize(const glm::ivec2& size) { size_ = size; }
   void set_content_scale(float scale) { content_scale_ = scale; }
 
   /// One frame of 1/60 s; returns true while the picture is being refined.
@@ -73,9 +73,9 @@ class OffscreenWindow {
   /// The middle of a control (see App::controls). Throws UsageError where there is none of that name.
   [[nodiscard]] ScreenBox control(std::string_view name) const;
 
-  /// RGBA8, rows from above, of the last frame.
+  /// RGBA8, rows from above, of the last frame; one must have been drawn in this size.
   [[nodiscard]] std::vector<std::uint8_t> pixels() const { return target_->read(); }
-  [[nodiscard]] glm::ivec2 size() const { return target_->size(); }
+  [[nodiscard]] glm::ivec2 size() const { return size_; }
 
  private:
   static constexpr double k_frame_s = 1.0 / 60.0;
@@ -86,7 +86,8 @@ class OffscreenWindow {
   void wait_while(const std::function<bool()>& waiting, const char* complaint);
 
   std::unique_ptr<gl::Context> context_;
-  std::unique_ptr<gl::ColourTarget> target_;
+  glm::ivec2 size_;
+  std::unique_ptr<gl::ColourTarget> target_;  // of the last frame that was drawn
   std::unique_ptr<App> app_;
   float content_scale_;
   InputQueue input_;

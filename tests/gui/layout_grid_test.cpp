@@ -75,8 +75,8 @@ class LayoutGrid : public WindowSceneries {};
 TEST_F(LayoutGrid, NoTextIsCutOffOrCovered) {
   TextOrder order;
   in_all_sceneries([&](const char* scenery) {
-    for (const glm::ivec2& size : k_sizes) {
-      for (const float scale : k_scales) {
+    for (const float scale : k_scales) {  // the outer one: the letters are made anew for it
+      for (const glm::ivec2& size : k_sizes) {
         lay_out(size, scale);
         order.check(window.app().texts(), fmt::format("{}, {}x{} at {}", scenery, size.x, size.y, scale));
       }
@@ -110,8 +110,8 @@ TEST(StartPage, NoTextIsCutOffOrCovered) {
     options.user.recent.push_back(fmt::format("/a folder with a long name/{}/part with a long name.stl", k));
   OffscreenWindow window(options);
   TextOrder order;
-  for (const glm::ivec2& size : k_sizes) {
-    for (const float scale : k_scales) {
+  for (const float scale : k_scales) {
+    for (const glm::ivec2& size : k_sizes) {
       window.resize(size);
       window.set_content_scale(scale);
       for (int k = 0; k < 6; ++k) window.lay_out();
