@@ -20,6 +20,7 @@ constexpr double k_group_deg = 0.1;               // lines of one group
 constexpr double k_flat_deg = 0.05;               // normals of a plane from their mean
 constexpr double k_on_file_deg = 0.05;            // a group that an axis of the file stands for
 constexpr double k_least_canonical_share = 0.01;  // of the surface
+constexpr double k_told_rounds = 0.1;             // of the group's surface
 constexpr double k_drafted_deg = 3.0;             // walls lean by it; nor are two closer
 constexpr std::size_t k_most = 12;
 constexpr std::size_t k_most_groups = 256;  // beyond them there is nothing large in free-form surfaces
@@ -165,7 +166,7 @@ std::vector<Candidate> canonical_candidates(const PartModel& model) {
       continue;
     const std::string of_surface =
         fmt::format("{:.{}f} % of the surface", 100.0 * share, share < 0.095 ? 1 : 0);
-    const bool has_rounds = glm::length(group.of_rounds) >= k_least_canonical_share * geometry.total_area;
+    const bool has_rounds = glm::length(group.of_rounds) >= k_told_rounds * group.area;
     const std::string name = fmt::format("{}{}, {}",
                                          group.round() ? ""
                                          : largest     ? "normal of the largest plane"
