@@ -15,7 +15,7 @@ namespace {
 constexpr double k_quarter = 0.5 * std::numbers::pi;
 constexpr double k_upright_sine = 0.02;  // of a wall's lean at most
 constexpr double k_same_turn = 3e-4;     // radians, between walls that face one way
-constexpr double k_least_upright = 0.1;    // of all upright walls: fewer say nothing
+constexpr double k_least_upright = 0.1;  // of all upright walls: fewer say nothing
 constexpr std::size_t k_most_facings = 3;
 
 /// Where walls face, by a quarter of a turn: a wall says as much of where it stands along.
