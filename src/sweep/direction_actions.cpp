@@ -57,6 +57,7 @@ DirectionActions direction_actions(const ActionPlan& plan, const Classification&
 bool ActionLimit::is_exceeded(const LeastActions& least, const UndercutTotals& undercuts) const {
   return (left <= left_band && least.weight + per_area * undercuts.area > most) ||
          least.beyond > left + left_band || (undercuts.count > 0 && undercuts.area > most_undercut) ||
+         (undercuts.count > k_many && undercuts.area > most_of_many) ||
          (beside && undercuts.area >= beside->area && undercuts.count >= beside->count);
 }
 
@@ -90,7 +91,6 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
           .undercuts = totals, .weight = least.weight, .formed_area = totals.area, .given_up = true};
       if (limited && limit.is_exceeded(least, totals)) return given_up;
       const bool many = totals.count > k_many;
-      if (limit.roughly && many && totals.area > limit.most_of_many) return given_up;
       if (limit.roughly && (limited || many)) {
         DirectionActions rough = found(PlanDetail::rough);
         if (limited && limit.is_far_exceeded(rough)) return given_up;

@@ -50,10 +50,9 @@ struct ActionLimit {
   std::optional<UndercutTotals> beside = {};
   double most_undercut = std::numeric_limits<double>::infinity();  // area beside such directions, if any
   double most_left = std::numeric_limits<double>::infinity();      // area at which the search is given up
-  /// What few samples show to be too much is given up, too, and these do where there are many undercuts. With
-  /// an area above `most_of_many` these are given up unseen.
+  double most_of_many = std::numeric_limits<double>::infinity();   // area where there are many undercuts
+  /// What few samples show to be too much is given up, too, and these do where there are many undercuts.
   bool roughly = false;
-  double most_of_many = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] bool is_exceeded(const LeastActions& least, const UndercutTotals& undercuts) const;
   [[nodiscard]] bool is_far_exceeded(const DirectionActions& rough) const;

@@ -79,8 +79,8 @@ ActionLimit MoldRanking::limit(const Contender& contender) const {
                     .per_area = k_effort_of_formed / area,
                     .left = left * area,
                     .left_band = band * area,
-                    .roughly = best_alone_,
-                    .most_of_many = k_hopeless * least_undercut_};
+                    .roughly = best_alone_};
+  if (best_alone_) limit.most_of_many = k_hopeless * least_undercut_;
   if (contender.candidate.from_user()) return limit;
   // What is found beside it is listed for fewer side actions alone, and where walls stay upright not for
   // these.
@@ -283,10 +283,7 @@ bool MoldRanking::Listed::is_confirmed(std::size_t place) const {
 MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, std::size_t most) {
   for (std::size_t looked_at = 0;;) {
     Listed list = listed(contenders);
-    if (best_alone_ && list.is_confirmed(0)) return list;
-    // Where the first has lost its place, the next may, too.
-    const std::size_t together = looked_at == 0 ? most : std::max(most, k_together);
-    const auto leading = std::span(list.contenders).first(std::min(together, list.contenders.size()));
+    const auto leading = std::span(list.contenders).first(std::min(most, list.contenders.size()));
     // Several at a time; of those behind the first only so many more than are listed.
     const std::size_t room = most + k_most_overtaken - std::min(most + k_most_overtaken, looked_at);
     std::vector<glm::dvec3> open;

@@ -259,6 +259,13 @@ TEST(ActionLimit, WhatMoreThanAreBuiltWouldFormIsLeft) {
   EXPECT_FALSE(limit.is_exceeded({.weight = 9.0, .beyond = 59.0}, {.count = 20, .area = 500.0}));
 }
 
+TEST(ActionLimit, ManyUndercutsAreGivenUpWhereTheyAreTooLarge) {
+  const ActionLimit limit{.most_of_many = 100.0};
+  EXPECT_TRUE(limit.is_exceeded({}, {.count = 41, .area = 101.0}));
+  EXPECT_FALSE(limit.is_exceeded({}, {.count = 41, .area = 99.0}));
+  EXPECT_FALSE(limit.is_exceeded({}, {.count = 40, .area = 101.0}));
+}
+
 TEST(ActionLimit, MoreUndercutThanBesideAnAxisIsGivenUpUnlessItIsSpecks) {
   const ActionLimit limit{.most_undercut = 60.0};
   EXPECT_TRUE(limit.is_exceeded({}, {.count = 1, .area = 61.0}));
