@@ -168,10 +168,8 @@ ScrewMotion screw_out(const Reach& heights, const HelixFit& helix, bool core_sid
 std::vector<UndercutSample> middles_of(const PartModel& model, std::span<const FacetIndex> facets) {
   std::vector<UndercutSample> middles;
   for (const FacetIndex facet : facets) {
-    const auto corner = [&](int k) { return model.part.mesh.corner(facet, k); };
-    const glm::dvec3 middle = (corner(0) + corner(1) + corner(2)) / 3.0;
-    middles.push_back(
-        {model.frame.to_unit(middle), model.geometry.normals[facet], model.geometry.areas[facet]});
+    middles.push_back({model.frame.to_unit(model.part.mesh.middle(facet)), model.geometry.normals[facet],
+                       model.geometry.areas[facet]});
   }
   return middles;
 }

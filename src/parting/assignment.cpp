@@ -218,16 +218,11 @@ std::vector<std::uint8_t> action_pieces(const PartModel& model, const Assignment
   return found;
 }
 
-/// 1 for a piece that no width is left of.
-std::vector<std::uint8_t> needles(const SplitMesh& mesh, double width) {
-  std::vector<std::uint8_t> found(mesh.pieces.size(), 0);
-  for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece) {
-    double longest = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(longest, glm::distance(mesh.corner(piece, k), mesh.corner(piece, (k + 1) % 3)));
-    found[piece] = glm::length(twice_piece_area(mesh, piece)) <= width * longest ? 1 : 0;
-  }
-  return found;
+bool is_needle(const SplitMesh& mesh, PieceIndex piece, double width) {
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    longest = std::max(longest, glm::distance(mesh.corner(piece, k), mesh.corner(piece, (k + 1) % 3)));
+  return glm::length(twice_piece_area(mesh, piece)) <= width * longest;
 }
 
 /// Connected pieces of a half that no width is left of go to the side that they have the longest border with;
@@ -319,16 +314,17 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
 
   result.edges = piece_edges(result.mesh);
   const double least_width = k_least_width * model.frame.diagonal;
-  const std::vector<std::uint8_t> needle = needles(result.mesh, least_width);
   const double upright = std::sin(glm::radians(query.method.tau_deg));
   const std::vector<std::uint8_t> is_action = action_pieces(model, result, exact);
   result.free.assign(result.mesh.pieces.size(), 0);
   for (PieceIndex piece = 0; piece < result.mesh.pieces.size(); ++piece) {
-    const Region region = result.mesh.pieces[piece].region;
-    // Undercuts too small for an action go to either half.
-    const double sine = glm::dot(model.geometry.normals[result.mesh.pieces[piece].facet], result.direction);
-    result.free[piece] = region == Region::both || (region == Region::undercut && is_action[piece] == 0) ||
-                         (region != Region::undercut && needle[piece] != 0 && std::abs(sine) <= upright);
+    const auto& [corners, facet, region] = result.mesh.pieces[piece];
+    if (region == Region::undercut) {
+      result.free[piece] = is_action[piece] == 0;  // too small for an action
+    } else {
+      const bool is_wall = std::abs(glm::dot(model.geometry.normals[facet], result.direction)) <= upright;
+      result.free[piece] = region == Region::both || (is_wall && is_needle(result.mesh, piece, least_width));
+    }
   }
   if (settings.parting_height) {
     cut_at_height(result.mesh, result.free,
