@@ -1,4 +1,5 @@
 // Parting lines of solids for which they are known.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -89,6 +90,21 @@ TEST(PartingLine, OfWallsThatRoundingLeansIsPlanar) {
     EXPECT_NEAR(outer.length, 184.0, 1e-4) << "turn " << seed;
     EXPECT_EQ(outer.steep_length, 0.0) << "turn " << seed;
     EXPECT_NE(found.verdict().find("Parting line: planar"), std::string::npos) << found.verdict();
+  }
+}
+
+/// Nor do strips of a hole across the direction make shut-offs of their own.
+TEST(PartingLine, OfAHoleAcrossHasNoShutOffByRounding) {
+  test::SolidBuilder builder;
+  test::Loop2 hole = test::regular_polygon(48, 3.0, 1.3);
+  for (glm::dvec2& corner : hole) corner += glm::dvec2(20.0, 8.0);
+  builder.extrude({{0, 0}, {40, 0}, {40, 16}, {0, 16}}, {hole}, 20.0);
+  const TriangleMesh mesh = builder.mesh();
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    const glm::dquat turn = test::random_rotation(seed);
+    const Found found = find(test::rounded_to_float(test::rotated(mesh, turn)), turn * glm::dvec3(0, 0, 1));
+    EXPECT_EQ(std::ranges::count(found.line.loops, LoopKind::shut_off, &PartingLoop::kind), 0)
+        << "turn " << seed;
   }
 }
 
