@@ -59,11 +59,14 @@ class BodyMaker {
     if (action_.kind == ActionKind::unscrew) return solid_between(surface, toward_axis(surface));
     const bool leaves = is_slide(action_.kind);
     const double diagonal = model_.frame.diagonal;
+    const double thin = thickness;
     thickness *= k_thickness * diagonal;
     double length = thickness;
     if (leaves) {
       length = (release_.reach(action_.direction) + k_beyond) * diagonal - least_reach(surface.mesh.vertices);
     } else if (std::isfinite(action_.clear_to)) {
+      // A lifter's head is above its stem.
+      for (const Stem& stem : action_.stems) length = std::max(length, thin * stem.behind);
       length = std::clamp(action_.clear_to - action_.travel, k_least_thickness * diagonal, length);
     }
     const std::size_t own = triangles_.size();

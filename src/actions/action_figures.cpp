@@ -44,6 +44,14 @@ constexpr FigureRow<SideAction> k_body_figures[] = {
     {"body/least_section", "section", Kind::area,
      [](const SideAction& a) { return a.body ? Found(a.body->least_section) : std::nullopt; },
      "Largest cross-section of its thinnest piece."},
+    {"core_pin/width",
+     {},
+     Kind::length,
+     [](const SideAction& a) { return a.core_pin ? Found(a.core_pin->width) : std::nullopt; }},
+    {"core_pin/length",
+     {},
+     Kind::length,
+     [](const SideAction& a) { return a.core_pin ? Found(a.core_pin->length) : std::nullopt; }},
 };
 
 constexpr FigureRow<Undercut> k_undercut_sizes[] = {

@@ -19,6 +19,13 @@ std::span<const Option<ActionSettings>> action_options() {
        "Room that a lifter needs beyond its travel, for its thickness and clearance. A lifter with less is "
        "rejected.",
        RealKind<S>{&S::lifter_room_mm, 0.0, 1000.0, 0.5}},
+      {"lifter_section_mm", "--lifter-section", "Lifter section", "mm",
+       "Width of the square stem on which a lifter stands, from its head to the ejector plate. A lifter "
+       "without a place for it is rejected. 0: not asked for.",
+       RealKind<S>{&S::lifter_section_mm, 0.0, 1000.0, 0.5}},
+      {"pin_diameter_mm", "--pin-diameter", "Pin diameter", "mm",
+       "Least diameter of a core pin. No action forms a thinner hole. 0: any diameter.",
+       RealKind<S>{&S::pin_diameter_mm, 0.0, 1000.0, 0.1}},
       {"clearance_mm", "--clearance", "Clearance", "mm",
        "Travel of a slide beyond the least that clears the part.",
        RealKind<S>{&S::clearance_mm, 0.0, 1000.0, 0.5}},

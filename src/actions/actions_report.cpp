@@ -124,6 +124,7 @@ Json rejected_json(const RejectedAction& rejected) {
           {"room", std::isfinite(rejected.room) ? Json(rejected.room) : Json()},
           {"depth", rejected.depth > 0.0 ? Json(rejected.depth) : Json()},
           {"when", rejected.depth > 0.0 ? Json(stage_text(rejected.when)) : Json()},
+          {"width", rejected.width > 0.0 ? Json(rejected.width) : Json()},
           {"left", rejected.left > 0.0 ? Json(rejected.left) : Json()}};
 }
 
@@ -141,6 +142,9 @@ std::string change_text(const ActionsReport& report, std::size_t undercut) {
     ways.push_back(fmt::format(
         "widen the mouth from {} to {} {}, for a lifter", rounded(refused->travel + refused->room),
         rounded(refused->travel + report.settings.lifter_room_mm * unit_per_mm(model.part)), unit));
+  if (refused != report.plan.rejected.end() && refused->reason == RejectReason::thin_pin)
+    ways.push_back(fmt::format("widen the hole from {} to {} {}", rounded(refused->width),
+                               rounded(report.settings.pin_diameter_mm * unit_per_mm(model.part)), unit));
   const DesignChange& change = report.changes[undercut];
   if (report.plan.undercuts[undercut].closed_void) ways.emplace_back("fill the void");
   if (change.depth) ways.push_back(fmt::format("cut back by {} {}", rounded(*change.depth), unit));
@@ -187,6 +191,18 @@ std::string meetings_text(const ActionPlan& plan) {
                      number > k_most ? fmt::format(" … {} pairs in all", number) : "");
 }
 
+std::string pins_notice(const PartModel& model, const ActionPlan& plan) {
+  std::string text;
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) {
+    const std::optional<CorePin>& pin = plan.actions[k].core_pin;
+    if (!pin || pin->length <= k_slender_pin * pin->width) continue;
+    text += fmt::format("{}A core pin of {} is {} {} long and {} {} thick: it may bend.",
+                        text.empty() ? "" : " ", action_title(plan, k), rounded(pin->length),
+                        length_unit(model.part), rounded(pin->width), length_unit(model.part));
+  }
+  return text;
+}
+
 std::string rejected_text(const PartModel& model, const ActionPlan& plan) {
   constexpr std::size_t k_most = 6;
   const FigureStyle style(model);
@@ -199,6 +215,10 @@ std::string rejected_text(const PartModel& model, const ActionPlan& plan) {
       case RejectReason::no_way_out:
         return fmt::format("it travels {} {} and then cannot leave along its half", rounded(rejected.travel),
                            unit);
+      case RejectReason::no_stem:
+        return std::string("there is no room for its stem down to the ejector plate");
+      case RejectReason::thin_pin:
+        return fmt::format("its core pin is {} {} thick", rounded(rejected.width), unit);
       case RejectReason::leaves_rest:
         return fmt::format("it leaves {} unreleased", style.with_unit(FigureKind::area, rejected.left));
       default:

@@ -33,6 +33,8 @@ struct ActionsReport {
 /// Pairs of slides, or of lifters, that would meet, named as their rows are counted, in a paragraph; empty
 /// where there are none.
 [[nodiscard]] std::string meetings_text(const ActionPlan& plan);
+/// Core pins that are too slender, likewise.
+[[nodiscard]] std::string pins_notice(const PartModel& model, const ActionPlan& plan);
 /// Actions that cannot be built, likewise.
 [[nodiscard]] std::string rejected_text(const PartModel& model, const ActionPlan& plan);
 

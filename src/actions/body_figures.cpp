@@ -301,11 +301,17 @@ std::pair<double, double> crossed(const std::array<glm::dvec3, 3>& corners, int 
   return {first, last};
 }
 
+/// Points of a body's surface, a few of them spread evenly.
+struct SurfacePoints {
+  std::vector<glm::dvec3> few = {}, others = {};
+};
+
 /// Where lines of a lattice about the middle of the body's box, along its way and the parting direction, pass
 /// its surface, about `count` of them: the same in whatever order its facets are, and of its mirror image the
 /// mirrored ones. Every third line each way is among the first few.
-void add_points(const glm::dvec3& way, const glm::dvec3& direction, std::size_t count, PlayedBody& solid) {
-  const TriangleMesh& mesh = solid.model->part.mesh;
+SurfacePoints lattice_points(const TriangleMesh& mesh, const glm::dvec3& way, const glm::dvec3& direction,
+                             std::size_t count) {
+  SurfacePoints points;
   const glm::dvec3 off = direction - glm::dot(direction, way) * way;
   const glm::dvec3 other = std::abs(way.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 across = glm::normalize(glm::cross(way, glm::length(off) > 1e-3 ? off : other));
@@ -324,9 +330,8 @@ void add_points(const glm::dvec3& way, const glm::dvec3& direction, std::size_t 
   const glm::dvec3 size = box.max - box.min;
   const double step = std::max(std::sqrt(passed / static_cast<double>(count)),
                                k_least_step * std::max({size.x, size.y, size.z}));
-  if (!(step > 0.0)) return;
+  if (!(step > 0.0)) return points;
   const glm::dvec3 middle = box.center();
-  std::vector<glm::dvec3> others;
   for (const auto& [a, b, c] : facets) {
     const glm::dvec3 low = (glm::min(a, glm::min(b, c)) - middle) / step - 0.5;
     const glm::dvec3 high = (glm::max(a, glm::max(b, c)) - middle) / step - 0.5;
@@ -343,17 +348,40 @@ void add_points(const glm::dvec3& way, const glm::dvec3& direction, std::size_t 
           const double t = (y * (b[u] - a[u]) - x * (b[v] - a[v])) / twice;
           if (s < 0.0 || t < 0.0 || s + t > 1.0) continue;
           const bool few = std::remainder(i - 1.0, 3.0) == 0.0 && std::remainder(j - 1.0, 3.0) == 0.0;
-          (few ? solid.points : others).push_back(glm::transpose(to_frame) * (a + s * (b - a) + t * (c - a)));
+          (few ? points.few : points.others)
+              .push_back(glm::transpose(to_frame) * (a + s * (b - a) + t * (c - a)));
         }
       }
     }
   }
-  if (solid.points.empty() && others.empty()) others = mesh.vertices;
-  solid.few = solid.points.size();
-  solid.points.insert(solid.points.end(), others.begin(), others.end());
+  if (points.few.empty() && points.others.empty()) points.others = mesh.vertices;
   // A thin body lies between most of those lines, or all of them.
   constexpr std::size_t k_least_few = 30;  // one in so many, where one in nine is expected
-  if (k_least_few * solid.few < solid.points.size()) solid.few = solid.points.size();
+  if (k_least_few * points.few.size() < points.few.size() + points.others.size()) {
+    points.few.insert(points.few.end(), points.others.begin(), points.others.end());
+    points.others.clear();
+  }
+  return points;
+}
+
+/// The stems of an action, each down to below the part.
+std::vector<TriangleMesh> stem_solids(const SideAction& action, const PartModel& model,
+                                      const glm::dvec3& direction) {
+  constexpr double k_below = 0.08;  // the part, share of the diagonal
+  const glm::dvec3 down = action.core_side ? direction : -direction;
+  double lowest = -std::numeric_limits<double>::infinity();
+  for (const glm::dvec3& vertex : model.part.mesh.vertices) lowest = std::max(lowest, glm::dot(vertex, down));
+  lowest += k_below * model.frame.diagonal;
+  std::vector<TriangleMesh> solids;
+  for (const Stem& stem : action.stems)
+    solids.push_back(stem_solid(stem, (lowest - glm::dot(stem.top, down)) / glm::dot(stem.way, down)));
+  return solids;
+}
+
+void append(const TriangleMesh& solid, TriangleMesh& mesh) {
+  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), solid.vertices.begin(), solid.vertices.end());
+  for (const auto& [a, b, c] : solid.facets) mesh.facets.push_back({a + first, b + first, c + first});
 }
 
 /// Of what an action forms, and how it moves.
@@ -384,24 +412,34 @@ std::vector<double> key_of(const ActionPlan& plan, std::size_t number) {
 struct BodyPlayer::Shape {
   BodyShaper shaper = {};
   std::deque<PlayedBody> solids = {};  // each half as thick as the one before
+  double volume = 0.0;                 // of the last one, without its stems
   bool done = false;                   // there is no thinner one
 
   /// The body of an action, so thin; null where there is none.
-  const PlayedBody* thinned(std::size_t times, const SideAction& action, const glm::dvec3& direction,
-                            std::size_t points) {
-    constexpr std::size_t k_most = 7;
+  const PlayedBody* thinned(std::size_t times, const SideAction& action, const PartModel& part_model,
+                            const glm::dvec3& direction, std::size_t points) {
+    constexpr std::size_t k_most = 7, k_of_stem = 4;  // of a stem one in so many of the points
     if (times < solids.size()) return &solids[times];
     if (done) return nullptr;
     const auto mesh = shaper(std::exp2(-static_cast<double>(solids.size())));
     // What reaches out of the mold, or round a thread, is as thick as it must be.
-    done = !mesh || solids.size() + 1 == k_most ||
-           (!solids.empty() && signed_volume(*mesh) == signed_volume(solids.back().model->part.mesh));
+    done = !mesh || solids.size() + 1 == k_most || (!solids.empty() && signed_volume(*mesh) == volume);
     if (!mesh || (done && solids.size() + 1 < k_most)) return nullptr;
+    volume = signed_volume(*mesh);
+    const glm::dvec3& way = action.kind == ActionKind::unscrew ? action.about->direction : action.direction;
+    SurfacePoints all = lattice_points(*mesh, way, direction, points);
     Part part;
     part.mesh = *mesh;
+    for (const TriangleMesh& stem : stem_solids(action, part_model, direction)) {
+      append(stem, part.mesh);
+      const SurfacePoints its = lattice_points(stem, way, direction, points / k_of_stem);
+      all.few.insert(all.few.end(), its.few.begin(), its.few.end());
+      all.others.insert(all.others.end(), its.others.begin(), its.others.end());
+    }
     PlayedBody& solid = solids.emplace_back(PlayedBody{prepare_part(std::move(part), Progress())});
-    const glm::dvec3& way = action.kind == ActionKind::unscrew ? action.about->direction : action.direction;
-    add_points(way, direction, points, solid);
+    solid.few = all.few.size();
+    solid.points = std::move(all.few);
+    solid.points.insert(solid.points.end(), all.others.begin(), all.others.end());
     return &solid;
   }
 };
@@ -422,7 +460,7 @@ void BodyPlayer::measure(ActionPlan& plan, bool fine) {
   for (std::size_t k = 0; k < plan.actions.size(); ++k) shapes.push_back(&known_[key_of(plan, k)]);
   const auto thinned = [&](std::size_t k, std::size_t times) {
     if (progress_.cancelled()) throw Cancelled();
-    return shapes[k]->thinned(times, plan.actions[k], query_.direction, play_.points);
+    return shapes[k]->thinned(times, plan.actions[k], model_, query_.direction, play_.points);
   };
   tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
     if (!shapes[k]->shaper) shapes[k]->shaper = body_shaper(model_, split_, query_, plan, k);

@@ -85,6 +85,14 @@ SideAction chosen_action(const ChosenContext& context, const std::vector<Undercu
     action.stroke = pull.travel * diagonal / std::tan(glm::radians(context.settings.lifter_angle_deg));
     action.clear_to = reach_of(release, samples, pull.direction, pull.travel) * diagonal;
     action.room_needed = context.pulls.lifter_room() * diagonal;
+    for (const std::size_t k : option.undercut_parts) {
+      std::optional<Stem> stem = context.pulls.stem_of(undercut_parts[k].samples, way);
+      if (!stem) continue;
+      stem->top = context.model.frame.center + diagonal * stem->top;
+      stem->width *= diagonal;
+      stem->behind *= diagonal;
+      action.stems.push_back(*stem);
+    }
     if (context.detail == PlanDetail::whole)
       pull.interval =
           release.lifter_turn(std::span(samples).first(std::min(samples.size(), k_turned)), way, axis);

@@ -59,7 +59,7 @@ class Changes {
  private:
   /// How far a point must move says what to change, whether a lifter has room or not.
   [[nodiscard]] static ActionSettings with_thin_lifters(ActionSettings settings) {
-    settings.lifter_room_mm = 0.0;
+    settings.lifter_room_mm = settings.lifter_section_mm = 0.0;
     return settings;
   }
 

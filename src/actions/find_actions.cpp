@@ -30,6 +30,7 @@ namespace {
 constexpr double k_samples = 6000.0;                              // over all undercuts
 constexpr double k_least_samples = 48.0, k_most_samples = 600.0;  // of one of them
 constexpr double k_rough = 0.25;                                  // of these
+constexpr double k_same_width = 1e-6;                             // of pins, by which they may be thinner
 constexpr double k_across = 0.7;      // cosine, at most, between a way and one across it
 constexpr double k_pin_reach = 0.02;  // of the diagonal, from a pin to its undercut
 
@@ -39,16 +40,28 @@ class Finder {
          const Progress& progress, PlanDetail detail, double most_left)
       : model_(model),
         split_(*result.split),
-        settings_(settings),
+        settings_(in_sizes_of(model, settings)),
         progress_(progress),
         query_(exact_query(model, result.query())),
         undercuts_(find_undercuts(model, split_, query_, progress, settings.least_travel_mm)),
-        pulls_(model, query_, undercuts_.axes, settings, progress),
+        pulls_(model, query_, undercuts_.axes, settings_, progress),
         unit_per_mm_(unit_per_mm(model.part)),
         lateral_(result.lateral_tolerance),
         detail_(detail),
         most_left_(most_left),
         bodies_(model, result, progress) {}
+
+  /// A small part whose file names no unit may be in another one than millimetres: how thick its steel is
+  /// says nothing then, but where the user asks for it.
+  [[nodiscard]] static ActionSettings in_sizes_of(const PartModel& model, ActionSettings settings) {
+    constexpr double k_small_mm = 10.0;
+    const ActionSettings usual;
+    if (!model.part.unit.empty() || model.frame.diagonal >= k_small_mm) return settings;
+    for (double ActionSettings::*const size :
+         {&ActionSettings::lifter_section_mm, &ActionSettings::pin_diameter_mm})
+      if (settings.*size == usual.*size) settings.*size = 0.0;
+    return settings;
+  }
 
   ActionPlan run() {
     sample();
@@ -92,6 +105,19 @@ class Finder {
                                           model_.frame, k_pin_reach * model_.frame.diagonal);
     }
     if (model_.health.components > 1) set_covered_apart();
+    find_thin_pins();
+  }
+
+  /// Holes that take a thinner pin than is asked for; but where the user asks for an action.
+  void find_thin_pins() {
+    const double least = settings_.pin_diameter_mm * unit_per_mm_ / model_.frame.diagonal;
+    if (least <= 0.0) return;
+    for_each_atom([&](std::size_t k) {
+      UndercutPart& undercut_part = undercut_parts_[k];
+      if (!undercut_part.covered && undercut_part.pin == nullptr)
+        undercut_part.thin =
+            core_pin_of(pulls_.release(), undercut_part.samples, least * (1.0 - k_same_width));
+    });
   }
 
   /// Bodies of a part may overlap. What of an undercut lies within another body becomes an undercut part of
@@ -213,6 +239,7 @@ class Finder {
   void keep_rejected(ActionPlan& plan) const {
     std::vector<RejectedAction> hitting = std::exchange(plan.rejected, {});
     add_lifters_without_room(plan);
+    add_thin_pins(plan);
     for (RejectedAction& rejected : hitting) {
       const bool known = std::ranges::any_of(plan.rejected, [&](const RejectedAction& other) {
         return other.undercut == rejected.undercut && other.kind == rejected.kind;
@@ -241,6 +268,21 @@ class Finder {
                                .reason = pull.lack->reason,
                                .place = model_.frame.center + diagonal * glm::dvec3(pull.lack->at.position),
                                .room = pull.lack->room * diagonal});
+    }
+  }
+
+  void add_thin_pins(ActionPlan& plan) const {
+    const double diagonal = model_.frame.diagonal;
+    for (const UndercutPart& undercut_part : undercut_parts_) {
+      if (!undercut_part.thin || is_well_released(plan, undercut_part.undercut)) continue;
+      const UndercutSample& at = undercut_part.samples.front();
+      plan.rejected.push_back({.undercut = undercut_part.undercut,
+                               .kind = ActionKind::slide,
+                               .direction = undercut_part.thin->axis,
+                               .reason = RejectReason::thin_pin,
+                               .place = model_.frame.center + diagonal * glm::dvec3(at.position),
+                               .room = std::numeric_limits<double>::infinity(),
+                               .width = undercut_part.thin->width * diagonal});
     }
   }
 
@@ -300,7 +342,8 @@ class Finder {
             .rejected = part == 0 ? std::move(undercut_parts_[k].rejected) : std::vector<Pull>(),
             .whole = whole,
             .pin = undercut_parts_[k].pin,
-            .covered = undercut_parts_[k].covered};
+            .covered = undercut_parts_[k].covered,
+            .thin = undercut_parts_[k].thin};
         set_rejected_apart(undercut_part);
         if (part == 0) {
           undercut_parts_[k] = std::move(undercut_part);
@@ -381,6 +424,27 @@ class Finder {
     }
     for (SideAction& action : plan.actions)
       action.feature = feature_text({model_, split_, pulls_.release()}, plan, action);
+    set_pins(plan);
+  }
+
+  /// Of what slides and inserts form, the most slender pins.
+  void set_pins(ActionPlan& plan) const {
+    constexpr double k_widest = 0.25;  // of the diagonal: more is no pin
+    const double diagonal = model_.frame.diagonal;
+    for (const UndercutPart& undercut_part : undercut_parts_) {
+      const auto action = std::ranges::find_if(plan.actions, [&](const SideAction& each) {
+        return (is_slide(each.kind) || each.kind == ActionKind::insert) &&
+               std::ranges::find(each.undercuts, undercut_part.undercut) != each.undercuts.end();
+      });
+      if (action == plan.actions.end() || !undercut_part.whole) continue;
+      auto pin = core_pin_of(pulls_.release(), undercut_part.samples, k_widest);
+      if (!pin || (action->core_pin &&
+                   action->core_pin->length * pin->width >= pin->length * action->core_pin->width))
+        continue;
+      pin->width *= diagonal;
+      pin->length *= diagonal;
+      action->core_pin = pin;
+    }
   }
 
   /// Where a pin finds it, and the pin that did.
@@ -401,7 +465,7 @@ class Finder {
 
   const PartModel& model_;
   const SplitMesh& split_;
-  const ActionSettings& settings_;
+  ActionSettings settings_;
   const Progress& progress_;
   ExactQuery query_;
   Undercuts undercuts_;

@@ -97,15 +97,21 @@ class LeastSet {
     }
   }
 
-  /// Lifters that travel farther than few samples said, and have no room there. Whether there were any.
+  /// Lifters that travel farther than few samples said, and have no room there, or no place to stand. Whether
+  /// there were any.
   bool give_up_crowded(const Draft& draft) {
     bool any = false;
     for (std::size_t k = 0; k < draft.plan.actions.size(); ++k) {
       const SideAction& action = draft.plan.actions[k];
-      if (has_room(action)) continue;
+      const bool stands =
+          action.kind != ActionKind::lifter || !context_.pulls.asks_for_stems() || !action.stems.empty();
+      if (has_room(action) && stands) continue;
       any = true;
       const Undercut& undercut = context_.undercuts.counted[action.undercuts.front()];
-      give_up(draft, k, {.place = undercut.centre, .room = std::max(0.0, action.clear_to - action.travel)});
+      give_up(draft, k,
+              {.reason = has_room(action) ? RejectReason::no_stem : RejectReason::no_room,
+               .place = undercut.centre,
+               .room = std::max(0.0, action.clear_to - action.travel)});
     }
     return any;
   }

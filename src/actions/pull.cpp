@@ -217,7 +217,7 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
                        .source = candidate.source,
                        .travel = *travel,
                        .core_side = core_side});
-      set_lack(lengths, found.back());
+      set_lack(lengths, found.back(), false);
     }
   }
   // One that nothing of the part suggests is worth its while if it is shorter by more than what samples show.
@@ -258,10 +258,15 @@ std::optional<Pull> PullFinder::shared_lifter(std::span<const UndercutSample> sa
   return pull.lack ? std::nullopt : std::optional(pull);
 }
 
-void PullFinder::set_lack(FreeLengths& lengths, Pull& lifter) const {
+void PullFinder::set_lack(FreeLengths& lengths, Pull& lifter, bool with_stem) const {
   const LifterWay way{lifter.direction, lifter.core_side ? direction_ : -direction_, lifter.travel};
   lifter.lack.reset();
-  if (release_.clears(lengths, way, lifter_room_)) return;
+  if (release_.clears(lengths, way, lifter_room_)) {
+    if (with_stem && asks_for_stems() && !find_stem(release_, lengths, way, stem_))
+      lifter.lack =
+          Pull::Lack{.reason = RejectReason::no_stem, .at = lengths.samples().front(), .room = k_never};
+    return;
+  }
   // What may move on for ever and yet is not clear has no way out.
   lifter.lack =
       Pull::Lack{.reason = RejectReason::no_way_out, .at = lengths.samples().front(), .room = k_never};

@@ -9,6 +9,7 @@
 #include "actions/pull_candidates.hpp"
 #include "actions/release.hpp"
 #include "actions/side_action.hpp"
+#include "actions/stem.hpp"
 
 namespace moldlight {
 
@@ -59,6 +60,8 @@ class PullFinder {
         settings_(settings),
         tau_deg_(query.tau_deg),
         lifter_room_(settings.lifter_room_mm * unit_per_mm(model.part) / model.frame.diagonal),
+        stem_{.width = settings.lifter_section_mm * unit_per_mm(model.part) / model.frame.diagonal,
+              .angle_deg = settings.lifter_angle_deg},
         longest_lifter_(
             std::max(k_longest_lifter, k_longest_lifter_mm * unit_per_mm(model.part) / model.frame.diagonal)),
         least_travel_(least_depth(model, query, settings.least_travel_mm)),
@@ -72,6 +75,14 @@ class PullFinder {
   [[nodiscard]] const glm::dvec3& direction() const { return direction_; }
   /// What a lifter needs beyond its travel, share of the diagonal.
   [[nodiscard]] double lifter_room() const { return lifter_room_; }
+  /// Of a lifter that clears these samples; none where it has no place, or none is asked for.
+  [[nodiscard]] std::optional<Stem> stem_of(std::span<const UndercutSample> samples,
+                                            const LifterWay& way) const {
+    FreeLengths lengths(release_, samples, way.pull);
+    return stem_.width > 0.0 ? find_stem(release_, lengths, way, stem_) : std::nullopt;
+  }
+  /// Whether lifters stand on stems.
+  [[nodiscard]] bool asks_for_stems() const { return stem_.width > 0.0; }
   /// Whether it is clear by a shorter way than any lifter's.
   [[nodiscard]] bool is_shallow(const UndercutSample& sample) const {
     return release_.is_shallow(sample, least_travel_);
@@ -129,7 +140,7 @@ class PullFinder {
                                                std::span<const PullCandidate> tried) const;
   [[nodiscard]] std::optional<PullCandidate> meant_within(const Pull& pull,
                                                           std::span<const PullCandidate> others) const;
-  void set_lack(FreeLengths& lengths, Pull& lifter) const;
+  void set_lack(FreeLengths& lengths, Pull& lifter, bool with_stem = true) const;
   /// The lifter that clears most of the samples with its room, more than `least` of their area; none where
   /// there is none. Its travel is one at which it does.
   [[nodiscard]] std::optional<Pull> most_clearing(std::span<const UndercutSample> samples,
@@ -152,7 +163,9 @@ class PullFinder {
   /// part. More asks for a stroke of the ejector that no machine has.
   static constexpr double k_longest_lifter = 0.1, k_longest_lifter_mm = 25.0;
 
-  double tau_deg_, lifter_room_, longest_lifter_, least_travel_;
+  double tau_deg_, lifter_room_;
+  StemSettings stem_;
+  double longest_lifter_, least_travel_;
   Release release_;
   struct Side {
     glm::dvec3 normal;

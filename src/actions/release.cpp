@@ -234,6 +234,17 @@ double Release::reach(const glm::dvec3& direction) const {
   return greatest / model_.frame.diagonal;
 }
 
+std::optional<double> Release::gap(const glm::dvec3& from, const glm::dvec3& along) const {
+  end_if_cancelled();
+  const auto hit = model_.rays().first_hit(glm::vec3(from), glm::vec3(along), true);
+  return hit ? std::optional(static_cast<double>(hit->distance)) : std::nullopt;
+}
+
+bool Release::leaves(const glm::dvec3& from, const glm::dvec3& along) const {
+  end_if_cancelled();
+  return !model_.rays().first_hit(glm::vec3(from), glm::vec3(along), false);
+}
+
 bool Release::clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
                     const glm::dvec3& side) const {
   const glm::vec3 at(glm::dvec3(start(sample, pull)) + length * pull);

@@ -95,6 +95,10 @@ class Release {
   /// How far the part reaches along a direction (unit), unit frame.
   [[nodiscard]] double reach(const glm::dvec3& direction) const;
 
+  /// From a point (unit frame) along a direction (unit) to where the part is; none where it is not.
+  [[nodiscard]] std::optional<double> gap(const glm::dvec3& from, const glm::dvec3& along) const;
+  /// Whether nothing of the part is on the way from a point (unit frame) along a direction (unit).
+  [[nodiscard]] bool leaves(const glm::dvec3& from, const glm::dvec3& along) const;
   /// Whether a point that has moved by `length` gets away from the part along `side` (unit), +d or -d.
   [[nodiscard]] bool clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
                            const glm::dvec3& side) const;

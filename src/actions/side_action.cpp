@@ -15,9 +15,13 @@ bool has_room(const SideAction& action) {
 }
 
 std::string_view reject_text(RejectReason reason) {
-  constexpr std::array<std::string_view, 5> k_texts = {
-      "no room for its thickness beyond its travel", "no way out along its half after its travel",
-      "its body hits the part", "its body hits another one", "the rest of its undercut is not released"};
+  constexpr std::array<std::string_view, 7> k_texts = {"no room for its thickness beyond its travel",
+                                                       "no way out along its half after its travel",
+                                                       "no place for its stem down to the ejector plate",
+                                                       "its core pin is too thin",
+                                                       "its body hits the part",
+                                                       "its body hits another one",
+                                                       "the rest of its undercut is not released"};
   return k_texts[static_cast<std::size_t>(reason)];
 }
 

@@ -13,7 +13,9 @@
 
 #include "actions/action_kind.hpp"
 #include "actions/action_settings.hpp"
+#include "actions/core_pin.hpp"
 #include "actions/release.hpp"
+#include "actions/stem.hpp"
 #include "actions/undercut.hpp"
 #include "classify/classification.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -29,8 +31,17 @@ struct Revolution {
 
 /// Why an action that would release an undercut cannot be built. No room: the part is in the way of the
 /// lifter's own thickness beyond its travel. No way out: that thickness cannot leave along its half after its
-/// travel. Its body hits the part, or another action's. The rest of its undercut keeps the part in the mold.
-enum class RejectReason : std::uint8_t { no_room, no_way_out, hits_part, hits_body, leaves_rest };
+/// travel. No stem: there is no place for what it stands on. Thin pin: what would form a hole breaks. Its
+/// body hits the part, or another action's. The rest of its undercut keeps the part in the mold.
+enum class RejectReason : std::uint8_t {
+  no_room,
+  no_way_out,
+  no_stem,
+  thin_pin,
+  hits_part,
+  hits_body,
+  leaves_rest
+};
 /// "no room for its thickness", …
 [[nodiscard]] std::string_view reject_text(RejectReason reason);
 
@@ -70,8 +81,10 @@ struct SideAction {
   double clear_to =
       std::numeric_limits<double>::infinity();  // how far its surface could move until it hits the part
   double room_needed = 0.0;                     // of a lifter, beyond its travel
+  std::vector<Stem> stems = {};                 // of a lifter, where it stands on any
   std::vector<std::size_t> meets = {};          // slides, or lifters, whose ways cross its own, rising
   std::string feature = {};                     // what it forms: "8 vents"
+  std::optional<CorePin> core_pin = {};         // of its holes, the most slender
   std::optional<BodyFigures> body = {};         // of what has one, but in rough plans
 };
 
@@ -90,6 +103,7 @@ struct RejectedAction {
   double room = 0.0;      // of a lifter: beyond the travel from there; what is needed is the lifter's
   double depth = 0.0;     // of a body that hits
   HitStage when = HitStage::rest;  // likewise
+  double width = 0.0;              // of a thin pin
   double left = 0.0;               // area of its undercut that nothing would release beside it
 };
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "actions/core_pin.hpp"
 #include "actions/pins.hpp"
 #include "actions/pull.hpp"
 
@@ -17,15 +18,16 @@ struct UndercutPart {
   std::vector<Pull> pulls = {};
   std::vector<Pull> rejected = {};  // lifters that cannot be built, the shortest first
   bool whole = true;
-  const ActionPin* pin = nullptr;  // of its undercut
-  bool covered = false;            // by another body of the part: nothing releases it
-  bool shallow = false;            // clear within the least travel: it needs no action
+  const ActionPin* pin = nullptr;    // of its undercut
+  bool covered = false;              // by another body of the part: nothing releases it
+  std::optional<CorePin> thin = {};  // the pin that would form it, thinner than pins may be
+  bool shallow = false;              // clear within the least travel: it needs no action
 
   [[nodiscard]] bool allows(ActionKind kind) const {
-    return !covered && !shallow && (pin == nullptr || pin->allows(kind));
+    return !covered && !shallow && !thin && (pin == nullptr || pin->allows(kind));
   }
   /// False where it is to be left as it is.
-  [[nodiscard]] bool wanted() const { return !covered && !shallow && (pin == nullptr || pin->kind); }
+  [[nodiscard]] bool wanted() const { return !covered && !shallow && !thin && (pin == nullptr || pin->kind); }
   /// The kind that alone may release it.
   [[nodiscard]] std::optional<ActionKind> only() const { return pin == nullptr ? std::nullopt : pin->kind; }
 

@@ -53,7 +53,8 @@ std::vector<Change> all_changes() {
 Planned changed_plan(const TriangleMesh& mesh, const Change& change) {
   ActionSettings settings;
   for (double* length : {&settings.lifter_room_mm, &settings.clearance_mm, &settings.least_travel_mm,
-                         &settings.bundle_across_mm, &settings.bundle_along_mm})
+                         &settings.bundle_across_mm, &settings.bundle_along_mm, &settings.lifter_section_mm,
+                         &settings.pin_diameter_mm})
     *length *= change.scale;
   return plan_of(change.mesh(mesh), settings, change.turn * glm::dvec3(0, 0, 1));
 }

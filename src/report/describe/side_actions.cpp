@@ -37,7 +37,8 @@ Section plan_section(const ActionsReport& found) {
     return section;
   }
   if (!plan.actions.empty()) section.add(actions_table(found.model, plan, "/actions"));
-  for (const std::string& notice : {meetings_text(plan), rejected_text(found.model, plan)})
+  for (const std::string& notice :
+       {meetings_text(plan), pins_notice(found.model, plan), rejected_text(found.model, plan)})
     if (!notice.empty()) section.add(notice, TextLook::notice);
   if (!plan.unreleased.empty()) {
     std::string text = fmt::format("No action that was tried releases {} of undercut{} {}.",

@@ -42,6 +42,13 @@ inline Planned plan_of(const TriangleMesh& mesh, const ActionSettings& settings 
   return planned;
 }
 
+/// Lifters that stand on nothing, where something else about them is looked at.
+inline ActionSettings without_stems() {
+  ActionSettings settings;
+  settings.lifter_section_mm = 0.0;
+  return settings;
+}
+
 struct Hole {
   double draft_deg = 0.0;
   bool through = false;

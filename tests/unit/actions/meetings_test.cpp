@@ -167,7 +167,7 @@ TriangleMesh box_with_pockets(const glm::dvec2& inside, const std::vector<WallPo
 
 /// How many pairs of its two lifters meet; each needs 4 of travel and the usual 3 of room.
 std::size_t lifters_that_meet(const TriangleMesh& mesh) {
-  const Planned planned = plan_of(mesh);
+  const Planned planned = plan_of(mesh, without_stems());
   EXPECT_EQ(actions_text(planned.plan), "2 lifters");
   std::size_t number = 0;
   for (const SideAction& action : planned.plan.actions) {
@@ -223,7 +223,7 @@ TriangleMesh walls_of_both_halves() {
 }
 
 TEST(Meetings, AreNoneOfLiftersOfDifferentHalves) {
-  const Planned planned = plan_of(walls_of_both_halves());
+  const Planned planned = plan_of(walls_of_both_halves(), without_stems());
   ASSERT_EQ(actions_text(planned.plan), "2 lifters");
   EXPECT_NE(planned.plan.actions[0].core_side, planned.plan.actions[1].core_side);
   for (const SideAction& action : planned.plan.actions) {
@@ -234,7 +234,7 @@ TEST(Meetings, AreNoneOfLiftersOfDifferentHalves) {
 
 TEST(Meetings, OfLiftersAreAvoidedAlongTheWall) {
   for (const bool near : {false, true}) {
-    const Planned planned = plan_of(grooved_trough(near ? 12.0 : 16.0));
+    const Planned planned = plan_of(grooved_trough(near ? 12.0 : 16.0), without_stems());
     ASSERT_EQ(actions_text(planned.plan), "2 lifters");
     std::size_t along = 0;
     for (const SideAction& action : planned.plan.actions) {

@@ -35,7 +35,7 @@ ActionPlan turned_plan(const TriangleMesh& mesh, const glm::dvec3& direction,
   query.direction = direction;
   ActionSettings settings;
   settings.strip_strain_pct = strip_strain_pct;
-  settings.least_travel_mm = 0.0;
+  settings.least_travel_mm = settings.pin_diameter_mm = 0.0;
   return find_actions(*model, classify_exact(*model, query, Progress(), true), settings, Progress());
 }
 

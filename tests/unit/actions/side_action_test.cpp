@@ -277,7 +277,7 @@ TEST(SideAction, ThatIsALifterHasRoomBeyondItsTravel) {
         Case{k_hook + 0.5, k_hook_width + k_room + 0.5, 90.0, true},
         Case{k_hook + 0.5, k_room - 0.5, 0.0, false}}) {
     SCOPED_TRACE(::testing::Message() << ahead << " ahead, " << beside << " beside");
-    const Planned planned = plan_of(box_with_hook(k_hook, ahead, beside));
+    const Planned planned = plan_of(box_with_hook(k_hook, ahead, beside), without_stems());
     EXPECT_EQ(rejected_text(*planned.model, planned.plan).empty(), has_room);
     ASSERT_EQ(planned.plan.rejected.empty(), has_room);
     if (!has_room) {
@@ -293,7 +293,7 @@ TEST(SideAction, ThatIsALifterHasRoomBeyondItsTravel) {
       EXPECT_NEAR(rejected.travel, k_hook, 0.01);
       EXPECT_NEAR(rejected.room, ahead - k_hook, 0.3);
       EXPECT_NEAR(rejected.place.x, 2.0 + k_hook, 0.3) << "under the hook's edge";
-      const ActionSettings settings;
+      const ActionSettings settings = without_stems();
       const ActionsReport report{*planned.model, planned.result, settings, planned.plan};
       EXPECT_EQ(actions_json(report)["rejected"][0]["undercut"], 1);
       continue;
@@ -309,7 +309,7 @@ TEST(SideAction, ThatIsALifterHasRoomBeyondItsTravel) {
     EXPECT_EQ(lifter.room_needed, k_room);
     EXPECT_TRUE(moldlight::has_room(lifter));
   }
-  ActionSettings thin;
+  ActionSettings thin = without_stems();
   thin.lifter_room_mm = 0.2;
   const Planned planned = plan_of(box_with_hook(k_hook, k_hook + 0.5, 20.0), thin);
   ASSERT_EQ(actions_text(planned.plan), "1 lifter");
@@ -328,7 +328,7 @@ TEST(SideAction, InATSlotIsALifterForEachWing) {
                          {24 + k_overhang, 12},
                          {24, 12},
                          {24, 20}};
-  const Planned planned = plan_of(block_with_cavity(profile, {40, 20}, 30.0));
+  const Planned planned = plan_of(block_with_cavity(profile, {40, 20}, 30.0), without_stems());
   EXPECT_EQ(planned.plan.actions.size(), 2U);
   for (const SideAction& action : planned.plan.actions) {
     EXPECT_EQ(action.kind, ActionKind::lifter);

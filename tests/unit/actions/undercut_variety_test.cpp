@@ -34,6 +34,8 @@ Planned plan_in(const Setting& setting, const TriangleMesh& mesh) {
   settings.clearance_mm = 0.0;
   settings.least_travel_mm *= setting.scale;
   settings.lifter_room_mm *= setting.scale;
+  settings.lifter_section_mm *= setting.scale;
+  settings.pin_diameter_mm *= setting.scale;
   settings.bundle_across_mm *= setting.scale;
   settings.bundle_along_mm *= setting.scale;
   TriangleMesh put = test::scaled(test::translated(mesh, setting.offset), setting.scale);
@@ -88,7 +90,7 @@ TEST(Variety, OfSideHolesInFilesFarOffIsASlideNearTheAxis) {
 TEST(Variety, OfTSlotsIsALifterForEachWing) {
   test::Random random(73);
   for (int k = 0; k < 16; ++k) {
-    const double overhang = random.between(1.0, 6.0), half = overhang + random.between(1.0, 4.0);
+    const double overhang = random.between(1.0, 4.0), half = overhang + random.between(7.0, 10.0);
     const double floor = random.between(2.0, 6.0), ceiling = floor + random.between(2.0, 7.0);
     const Loop2 profile = {{20 - half, 20},
                            {20 - half, ceiling},
