@@ -13,6 +13,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "mesh/facet_geometry.hpp"
 #include "mesh/health.hpp"
 #include "mesh/open_surface.hpp"
 #include "mesh/polygon_triangulation.hpp"
@@ -32,11 +33,14 @@ constexpr double k_flat = 0.02;
 /// within any draft that is asked for.
 constexpr double k_lean = 5e-4;
 constexpr std::uint64_t k_cap_work = 2'000'000;
+constexpr std::size_t k_most_triangles = 8'000;  // into which a surface is divided
 
-class BodyMaker {
+}  // namespace
+
+class BodyShaper::Maker {
  public:
-  BodyMaker(const PartModel& model, const SplitMesh& split, const ExactQuery& query, const ActionPlan& plan,
-            std::size_t number)
+  Maker(const PartModel& model, const SplitMesh& split, const ExactQuery& query, const ActionPlan& plan,
+        std::size_t number)
       : model_(model), vertices_(split.vertices), action_(plan.actions[number]), release_(model, query) {
     std::set<FacetIndex> formed;
     for (const std::size_t undercut : action_.undercuts) {
@@ -51,6 +55,34 @@ class BodyMaker {
       triangles_.push_back(split.pieces[piece].corners);
     }
     if (!action_.about) leave_out_blocked();
+    whole_ = total_area();
+  }
+
+  bool leave_out(std::span<const glm::dvec3> points) {
+    if (action_.about) return false;
+    const auto is_hit = [&](const Corners& corners) {
+      return std::ranges::any_of(points, [&](const glm::dvec3& point) { return is_before(corners, point); });
+    };
+    // What is left out is no more than it must be.
+    constexpr double k_small = 5e-4;  // of the surface
+    const auto is_coarse = [&](const Corners& corners) {
+      return glm::length(area_of(corners)) > k_small * whole_ && is_hit(corners);
+    };
+    while (std::ranges::any_of(triangles_, is_coarse) && divide(k_most_triangles)) {
+    }
+    std::vector<Corners> left;
+    double lost = 0.0;
+    for (const Corners& corners : triangles_) {
+      if (!is_hit(corners))
+        left.push_back(corners);
+      else
+        lost += glm::length(area_of(corners));
+    }
+    if (left.empty() || left.size() == triangles_.size() || lost_ + lost > k_blocked_share * whole_)
+      return false;
+    lost_ += lost;
+    triangles_ = std::move(left);
+    return true;
   }
 
   std::optional<TriangleMesh> make(double thickness) {
@@ -86,16 +118,34 @@ class BodyMaker {
   }
 
  private:
+  using Corners = std::array<VertexIndex, 3>;
+
+  /// Whether a point lies where the triangle passes on its way out.
+  [[nodiscard]] bool is_before(const Corners& corners, const glm::dvec3& point) const {
+    const double near = release_.lateral() * model_.frame.diagonal;
+    const glm::dvec3& way = action_.direction;
+    const auto along = [&](const glm::dvec3& at) { return glm::dot(at, way); };
+    const auto across = [&](const glm::dvec3& at) { return at - along(at) * way; };
+    const glm::dvec3 &a = vertices_[corners[0]], &b = vertices_[corners[1]], &c = vertices_[corners[2]];
+    if (along(point) < std::min({along(a), along(b), along(c)}) - near) return false;
+    const glm::dvec3 at = across(point);
+    return glm::distance(nearest_in_triangle(at, {across(a), across(b), across(c)}), at) <= near;
+  }
+
+  [[nodiscard]] double total_area() const {
+    double area = 0.0;
+    for (const Corners& corners : triangles_) area += glm::length(area_of(corners));
+    return area;
+  }
+
   /// Triangles are divided until each leaves whole, or has little of the surface; then those that do not go.
   void leave_out_blocked() {
-    constexpr std::size_t k_most = 8'000;
     constexpr double k_little = 0.01;
     std::vector<std::array<VertexIndex, 3>> free;
-    for (bool fine = false; !fine; fine = fine || !divide(k_most)) {
+    for (bool fine = false; !fine; fine = fine || !divide(k_most_triangles)) {
       free.clear();
       fine = true;
-      double all = 0.0;
-      for (const auto& corners : triangles_) all += glm::length(area_of(corners));
+      const double all = total_area();
       for (const auto& corners : triangles_) {
         const double share = all > 0.0 ? glm::length(area_of(corners)) / all : 0.0;
         const double leaves = share_that_leaves(corners, share);
@@ -246,10 +296,15 @@ class BodyMaker {
     for (auto at = border.rbegin(); at != border.rend(); ++at) outline.push_back(surface.mesh.vertices[*at]);
     std::vector<std::array<std::uint32_t, 3>> cap;
     if (PolygonTriangulator(k_cap_work).triangulate(outline, cap) == PolygonCut::fan_of_odd) return false;
+    constexpr std::uint64_t k_places = 24;  // of a triangle
     const bool free = std::ranges::all_of(cap, [&](const auto& corners) {
-      const glm::dvec3 middle = (outline[corners[0]] + outline[corners[1]] + outline[corners[2]]) / 3.0;
-      const UndercutSample sample{model_.frame.to_unit(middle), action_.direction, 0.0};
-      return release_.free_length(sample, action_.direction) == k_never;
+      const glm::dvec3 &a = outline[corners[0]], &b = outline[corners[1]], &c = outline[corners[2]];
+      for (std::uint64_t k = 0; k <= k_places; ++k) {
+        const glm::dvec3 at = k == 0 ? (a + b + c) / 3.0 : triangle_place(k).in(a, b, c);
+        const UndercutSample sample{model_.frame.to_unit(at), action_.direction, 0.0};
+        if (release_.free_length(sample, action_.direction) != k_never) return false;
+      }
+      return true;
     });
     if (!free) return false;
     for (const auto& corners : cap) {
@@ -308,16 +363,16 @@ class BodyMaker {
   SideAction action_;
   Release release_;
   std::vector<std::array<VertexIndex, 3>> triangles_;  // with caps
+  double whole_ = 0.0, lost_ = 0.0;                    // area at first, and what of it was left out since
 };
 
-}  // namespace
+BodyShaper::BodyShaper(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
+                       const ActionPlan& plan, std::size_t action)
+    : maker_(std::make_unique<Maker>(model, split, query, plan, action)) {}
+BodyShaper::~BodyShaper() = default;
 
-BodyShaper body_shaper(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
-                       const ActionPlan& plan, std::size_t action) {
-  return [maker = std::make_shared<BodyMaker>(model, split, query, plan, action)](double thickness) {
-    return maker->make(thickness);
-  };
-}
+std::optional<TriangleMesh> BodyShaper::shape(double thickness) { return maker_->make(thickness); }
+bool BodyShaper::leave_out(std::span<const glm::dvec3> points) { return maker_->leave_out(points); }
 
 double turn_of(const SideAction& action, double share) {
   if (action.kind != ActionKind::unscrew || !action.about) return 0.0;

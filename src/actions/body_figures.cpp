@@ -28,6 +28,7 @@ struct PlayedBody {
   struct SoFar {
     BodyHit hit = {};
     std::size_t tested = 0;
+    std::vector<glm::dvec3> points = {};  // that hit
   };
   std::shared_ptr<const PartModel> model;
   std::vector<glm::dvec3> points = {};  // of its surface
@@ -190,6 +191,12 @@ class Player {
     return solid ? deepest_of(body, nullptr, body.solid->in_part) : body.solid->in_part.hit;
   }
 
+  /// Those of its points that hit the part.
+  [[nodiscard]] std::span<const glm::dvec3> points_in_part(const Placed& body) const {
+    static_cast<void>(in_part(body));
+    return body.solid->in_part.points;
+  }
+
  private:
   [[nodiscard]] const BodyHit& in_other(const Placed& body, const Placed& other) const {
     return deepest_of(body, &other, body.solid->in_others[{other.solid, other.action < body.action}]);
@@ -202,7 +209,7 @@ class Player {
     for (const std::size_t wanted : {body.solid->few, fine_ ? points.size() : body.solid->few}) {
       if (found.hit.depth > allowed_) break;
       if (found.tested >= wanted) continue;
-      play_against(body, points.subspan(found.tested, wanted - found.tested), other, found.hit);
+      play_against(body, points.subspan(found.tested, wanted - found.tested), other, found);
       found.tested = wanted;
     }
     return found.hit;
@@ -210,7 +217,7 @@ class Player {
 
   /// Of a body in another one, or in the part where that is null.
   void play_against(const Placed& body, std::span<const glm::dvec3> points, const Placed* other,
-                    BodyHit& hit) const {
+                    PlayedBody::SoFar& found) const {
     const PartModel& solid = other != nullptr ? *other->solid->model : model_;
     const SideAction& action = plan_.actions[body.action];
     const SideAction* its = other != nullptr ? &plan_.actions[other->action] : nullptr;
@@ -242,8 +249,10 @@ class Player {
       if (!may_meet(point, point)) continue;
       if (progress_.cancelled()) throw Cancelled();
       const auto take = [&](HitStage stage, double depth) {
-        if (depth > hit.depth)
-          hit = {other != nullptr ? std::optional(other->action) : std::nullopt, depth, point, stage};
+        if (depth > allowed_ && (found.points.empty() || found.points.back() != point))
+          found.points.push_back(point);
+        if (depth > found.hit.depth)
+          found.hit = {other != nullptr ? std::optional(other->action) : std::nullopt, depth, point, stage};
       };
       take(HitStage::rest, depth_in(solid, point));
       // Out of the part a slide is as narrow as another one beside it needs.
@@ -410,10 +419,12 @@ std::vector<double> key_of(const ActionPlan& plan, std::size_t number) {
 }  // namespace
 
 struct BodyPlayer::Shape {
-  BodyShaper shaper = {};
+  std::optional<BodyShaper> shaper = {};
   std::deque<PlayedBody> solids = {};  // each half as thick as the one before
-  double volume = 0.0;                 // of the last one, without its stems
-  bool done = false;                   // there is no thinner one
+  std::deque<std::deque<PlayedBody>> former =
+      {};               // before some of their surface was left out; known to others
+  double volume = 0.0;  // of the last one, without its stems
+  bool done = false;    // there is no thinner one
 
   /// The body of an action, so thin; null where there is none.
   const PlayedBody* thinned(std::size_t times, const SideAction& action, const PartModel& part_model,
@@ -421,7 +432,7 @@ struct BodyPlayer::Shape {
     constexpr std::size_t k_most = 7, k_of_stem = 4;  // of a stem one in so many of the points
     if (times < solids.size()) return &solids[times];
     if (done) return nullptr;
-    const auto mesh = shaper(std::exp2(-static_cast<double>(solids.size())));
+    const auto mesh = shaper->shape(std::exp2(-static_cast<double>(solids.size())));
     // What reaches out of the mold, or round a thread, is as thick as it must be.
     done = !mesh || solids.size() + 1 == k_most || (!solids.empty() && signed_volume(*mesh) == volume);
     if (!mesh || (done && solids.size() + 1 < k_most)) return nullptr;
@@ -441,6 +452,14 @@ struct BodyPlayer::Shape {
     solid.points = std::move(all.few);
     solid.points.insert(solid.points.end(), all.others.begin(), all.others.end());
     return &solid;
+  }
+
+  /// Leaves the surface out at which a body hits the part; false where that is too much.
+  bool leave_out(std::span<const glm::dvec3> points) {
+    if (!shaper->leave_out(points)) return false;
+    former.push_back(std::exchange(solids, {}));
+    done = false;
+    return true;
   }
 };
 
@@ -463,9 +482,17 @@ void BodyPlayer::measure(ActionPlan& plan, bool fine) {
     return shapes[k]->thinned(times, plan.actions[k], model_, query_.direction, play_.points);
   };
   tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
-    if (!shapes[k]->shaper) shapes[k]->shaper = body_shaper(model_, split_, query_, plan, k);
-    for (std::size_t times = 0; const PlayedBody* solid = thinned(k, times); ++times)
-      if (player.depth_of_all({k, solid}, {}) == 0.0) break;
+    if (!shapes[k]->shaper) shapes[k]->shaper.emplace(model_, split_, query_, plan, k);
+    constexpr int k_most_rounds = 8;
+    for (int round = 0; round < k_most_rounds; ++round) {
+      const PlayedBody* solid = nullptr;
+      for (std::size_t times = 0; (solid = thinned(k, times)) != nullptr; ++times)
+        if (player.depth_of_all({k, solid}, {}) == 0.0) break;
+      // No thickness will do: some of its surface does not leave.
+      if (solid != nullptr || (solid = thinned(k, 0)) == nullptr ||
+          !shapes[k]->leave_out(player.points_in_part({k, solid})))
+        break;
+    }
   });
   std::vector<std::size_t> order(plan.actions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

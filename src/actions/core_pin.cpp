@@ -13,7 +13,7 @@ namespace moldlight {
 
 namespace {
 
-/// Of one sample; its length is not known.
+/// Of one sample.
 std::optional<CorePin> core_pin_at(const Release& release, const UndercutSample& sample, double widest) {
   constexpr int k_turns = 16;  // of lines across the first, over half a turn
   const auto across = release.gap(glm::dvec3(sample.position), sample.normal);
@@ -50,15 +50,7 @@ std::optional<CorePin> core_pin_of(const Release& release, std::span<const Under
   std::ranges::stable_sort(pins, {}, [](const auto& pin) { return pin.first.width; });
   auto median = pins.begin();
   for (double gone = median->second; gone < 0.5 * of_pins; gone += median->second) ++median;
-  CorePin pin = median->first;
-  double low = k_never, high = -k_never;
-  for (const UndercutSample& sample : samples) {
-    const double at = glm::dot(glm::dvec3(sample.position), pin.axis);
-    low = std::min(low, at);
-    high = std::max(high, at);
-  }
-  pin.length = high - low;
-  return pin;
+  return median->first;
 }
 
 }  // namespace moldlight

@@ -21,7 +21,8 @@ struct CorePin {
 inline constexpr double k_slender_pin = 8.0;
 
 /// The pin that forms most of what the samples stand for, if it is no wider than `widest`: the median of the
-/// steel before them that has the part all round it; none for a slot or an open recess. Unit frame.
+/// steel before them that has the part all round it; none for a slot or an open recess. Unit frame, its
+/// length is not asked for.
 [[nodiscard]] std::optional<CorePin> core_pin_of(const Release& release,
                                                  std::span<const UndercutSample> samples, double widest);
 

@@ -427,6 +427,17 @@ class Finder {
     set_pins(plan);
   }
 
+  [[nodiscard]] double extent_of(const Undercut& undercut, const glm::dvec3& along) const {
+    double low = k_never, high = -k_never;
+    for (const std::uint32_t piece : undercut.pieces) {
+      for (const VertexIndex corner : split_.pieces[piece].corners) {
+        low = std::min(low, glm::dot(split_.vertices[corner], along));
+        high = std::max(high, glm::dot(split_.vertices[corner], along));
+      }
+    }
+    return high - low;
+  }
+
   /// Of what slides and inserts form, the most slender pins.
   void set_pins(ActionPlan& plan) const {
     constexpr double k_widest = 0.25;  // of the diagonal: more is no pin
@@ -438,12 +449,11 @@ class Finder {
       });
       if (action == plan.actions.end() || !undercut_part.whole) continue;
       auto pin = core_pin_of(pulls_.release(), undercut_part.samples, k_widest);
-      if (!pin || (action->core_pin &&
-                   action->core_pin->length * pin->width >= pin->length * action->core_pin->width))
-        continue;
+      if (!pin) continue;
       pin->width *= diagonal;
-      pin->length *= diagonal;
-      action->core_pin = pin;
+      pin->length = extent_of(undercuts_.counted[undercut_part.undercut], pin->axis);
+      if (!action->core_pin || action->core_pin->length * pin->width < pin->length * action->core_pin->width)
+        action->core_pin = pin;
     }
   }
 

@@ -105,7 +105,7 @@ PartAxes part_axes(const PartModel& model, const glm::dvec3& direction) {
   PartAxes axes;
   axes.centre = surface_centre(model);
   axes.z = direction;
-  axes.step = 1e-6 * model.frame.diagonal;
+  axes.step = 1e-4 * model.frame.diagonal;
   std::tie(axes.x, axes.y) = file_axes(direction);
   const std::vector<Facing> found = facings(model, axes);
   const std::array<glm::dvec3, 2> file = {axes.x, axes.y};

@@ -48,7 +48,10 @@ class PieceActions {
         undercut_parts_(undercut_parts),
         nearest_(nearest),
         of_atom_(of_atom),
-        actions_(actions) {}
+        actions_(actions) {
+    for (const SideAction& action : actions)
+      middles_.push_back(pulls_.release().middle(action.direction) * model_.frame.diagonal);
+  }
 
   std::vector<std::int32_t> of(const std::vector<Undercut>& undercuts) const {
     const auto undercut_parts = parts_of_undercuts(undercuts.size(), undercut_parts_);
@@ -114,8 +117,10 @@ class PieceActions {
     const glm::dvec3& way = actions_[static_cast<std::size_t>(first)].direction;
     const double draft = glm::dot(normal, way);
     if (std::abs(draft) > k_upright) return draft > 0.0 ? first : second;
+    const double middle = middles_[static_cast<std::size_t>(first)];
     const auto reaches_ahead = [&](VertexIndex corner) {
-      return glm::dot(split_.vertices[corner] - model_.frame.center, way) > k_ahead * model_.frame.diagonal;
+      return glm::dot(split_.vertices[corner] - model_.frame.center, way) >
+             middle + k_ahead * model_.frame.diagonal;
     };
     return std::ranges::any_of(split_.pieces[piece].corners, reaches_ahead) ? first : second;
   }
@@ -134,6 +139,7 @@ class PieceActions {
   const PartModel& model_;
   const SplitMesh& split_;
   const PullFinder& pulls_;
+  std::vector<double> middles_;  // of the part, along each action's way
   const std::vector<UndercutPart>& undercut_parts_;
   std::span<const std::size_t> nearest_;
   std::span<const std::int32_t> of_atom_;

@@ -403,6 +403,11 @@ std::vector<FreedPart> PullFinder::opposite_slides(std::span<const UndercutSampl
     if (std::abs(elevation_deg(candidate.direction, direction_)) > k_same_elevation_deg) continue;
     std::array<FreedPart, 2> parts;
     double blocked = 0.0;
+    std::optional<double> middle;  // of the part, once that is asked for
+    const auto is_before_middle = [&](const UndercutSample& sample) {
+      if (!middle) middle = release_.middle(candidate.direction);
+      return glm::dot(glm::dvec3(sample.position), candidate.direction) > *middle;
+    };
     for (const UndercutSample& sample : samples) {
       std::array<bool, 2> free{};
       for (const std::size_t k : {0, 1})
@@ -411,9 +416,7 @@ std::vector<FreedPart> PullFinder::opposite_slides(std::span<const UndercutSampl
       if (!free[0] && !free[1] && (blocked += sample.area) > k_blocked_share * whole) break;
       // What both free goes with the one that it opens towards, upright walls with the shorter way.
       const double draft = glm::dot(sample.normal, candidate.direction);
-      const bool ahead = std::abs(draft) > k_upright
-                             ? draft > 0.0
-                             : glm::dot(glm::dvec3(sample.position), candidate.direction) > 0.0;
+      const bool ahead = std::abs(draft) > k_upright ? draft > 0.0 : is_before_middle(sample);
       parts[free[0] && (ahead || !free[1]) ? 0 : 1].samples.push_back(sample);
     }
     if (blocked > k_blocked_share * whole ||

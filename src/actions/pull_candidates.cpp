@@ -30,7 +30,7 @@ struct Plane {
 
 /// The largest first; of those that rounding alone distinguishes the one that faces up more, and so on.
 void put_in_order(const PartAxes& axes, std::vector<Plane>& planes) {
-  constexpr double k_steps = 1e6;  // of the logarithm of an area
+  constexpr double k_steps = 1e4;  // of the logarithm of an area
   std::ranges::stable_sort(planes, std::greater(), [&](const Plane& plane) {
     return std::pair(std::llround(k_steps * std::log(std::max(plane.area, 1e-300))),
                      direction_key(axes, plane.normal));

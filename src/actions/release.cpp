@@ -19,10 +19,11 @@ namespace {
 constexpr double k_resolved = 1e-7;      // of a length
 constexpr double k_turn_step_deg = 2.5;  // beyond it a turn goes on in equal steps
 constexpr double k_past = 1e-6;          // behind a facet that is not in the way
-constexpr double k_touching = 1e-6;      // no farther apart than the rounding of coordinates
-constexpr int k_most_passed = 1024;      // such facets along one ray
-constexpr int k_most_glides = 512;       // of them, along a way across the part at a draft of tau
-constexpr double k_least_sine = 1e-7;    // of tau: walls of a file in single precision lean by so much
+constexpr double k_beside = 2e-6;  // of a point's way, likewise: some roundings of a file in single precision
+constexpr double k_touching = 1e-6;    // no farther apart than the rounding of coordinates
+constexpr int k_most_passed = 1024;    // such facets along one ray
+constexpr int k_most_glides = 512;     // of them, along a way across the part at a draft of tau
+constexpr double k_least_sine = 1e-7;  // of tau: walls of a file in single precision lean by so much
 /// A part lies in a ball of diameter 1 in the unit frame.
 constexpr double k_glide_across = 1.0;
 
@@ -247,9 +248,19 @@ bool Release::leaves(const glm::dvec3& from, const glm::dvec3& along) const {
 
 bool Release::clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
                     const glm::dvec3& side) const {
-  const glm::vec3 at(glm::dvec3(start(sample, pull)) + length * pull);
-  // Whatever it meets: without a normal the ray begins at the point itself.
-  return !model_.rays().surface_point_blocked(at, glm::vec3(0.0F), glm::vec3(side));
+  // Surface that only touches its way is beside it, whatever rounding says: at its own height, but for what
+  // it would lie under, and in the plane of the way.
+  const double above = glm::dot(sample.normal, side) > -sine_ ? k_beside : -k_beside;
+  const glm::dvec3 at = glm::dvec3(start(sample, pull)) + length * pull + above * side;
+  const auto leaves_from = [&](const glm::dvec3& from) {
+    return !model_.rays().surface_point_blocked(glm::vec3(from), glm::vec3(0.0F), glm::vec3(side));
+  };
+  if (leaves_from(at)) return true;
+  const glm::dvec3 across = glm::cross(side, pull);
+  const double sine = glm::length(across);
+  if (sine < k_least_sine) return false;
+  const glm::dvec3 aside = k_beside / sine * across;
+  return leaves_from(at + aside) || leaves_from(at - aside);
 }
 
 bool Release::clears(const UndercutSample& sample, const LifterWay& way, double room) const {

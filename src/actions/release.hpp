@@ -59,6 +59,8 @@ class Release {
 
   /// The parting direction.
   [[nodiscard]] const glm::dvec3& direction() const { return query_.direction; }
+  /// The lateral tolerance, share of the diagonal.
+  [[nodiscard]] double lateral() const { return query_.lateral; }
   /// Where a point starts: beside it, if its surface is parallel to the pull (unit).
   [[nodiscard]] glm::vec3 start(const UndercutSample& sample, const glm::dvec3& pull) const;
   /// How far a point moves along `pull` (unit) before the part is in its way: 0 for one that faces against
@@ -92,14 +94,18 @@ class Release {
   [[nodiscard]] TurnInterval lifter_turn(std::span<const UndercutSample> samples, const LifterWay& way,
                                          const glm::dvec3& axis) const;
 
-  /// How far the part reaches along a direction (unit), unit frame.
+  /// How far the part reaches along a direction (unit), and where its middle is, unit frame.
   [[nodiscard]] double reach(const glm::dvec3& direction) const;
+  [[nodiscard]] double middle(const glm::dvec3& direction) const {
+    return 0.5 * (reach(direction) - reach(-direction));
+  }
 
   /// From a point (unit frame) along a direction (unit) to where the part is; none where it is not.
   [[nodiscard]] std::optional<double> gap(const glm::dvec3& from, const glm::dvec3& along) const;
   /// Whether nothing of the part is on the way from a point (unit frame) along a direction (unit).
   [[nodiscard]] bool leaves(const glm::dvec3& from, const glm::dvec3& along) const;
-  /// Whether a point that has moved by `length` gets away from the part along `side` (unit), +d or -d.
+  /// Whether a point that has moved by `length` gets away from the part along `side` (unit), +d or -d;
+  /// what only touches its way there does not keep it.
   [[nodiscard]] bool clear(const UndercutSample& sample, const glm::dvec3& pull, double length,
                            const glm::dvec3& side) const;
   /// Whether it moves so far and is clear there, and so is what is `room` thick before it.

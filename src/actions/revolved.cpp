@@ -174,6 +174,16 @@ std::vector<UndercutSample> middles_of(const PartModel& model, std::span<const F
   return middles;
 }
 
+/// Of whole facets, where most of their area is of the surface: few samples of coarse ones leave the axis too
+/// far off to screw along it.
+std::optional<HelixFit> fit_surface(const PartModel& model, const RevolvedSurface& surface,
+                                    const glm::dvec3& direction) {
+  constexpr double k_most_of_facets = 1.2;
+  const std::vector<UndercutSample> middles = middles_of(model, surface.facets);
+  const bool whole = area_of(middles) <= k_most_of_facets * area_of(surface.samples);
+  return fit_helix(whole ? middles : surface.samples, direction);
+}
+
 /// `least_met` becomes the least share that meets the part, where that is less.
 std::optional<Thread> thread_about(const HelixFit& fit, const PartModel& model,
                                    const RevolvedSurface& surface, const ExactQuery& query,
@@ -255,7 +265,7 @@ std::optional<HelixFit> fit_helix(std::span<const UndercutSample> samples, const
 
 std::optional<Thread> find_thread(const PartModel& model, const RevolvedSurface& surface,
                                   const ExactQuery& query) {
-  const auto fit = fit_helix(surface.samples, query.direction);
+  const auto fit = fit_surface(model, surface, query.direction);
   if (!fit) return std::nullopt;
   double least_met = 1.0;
   const auto thread = thread_about(*fit, model, surface, query, least_met);
@@ -295,7 +305,7 @@ bool goes_with(const PartModel& model, const Thread& thread, const ThreadAndOthe
 std::optional<Ring> find_ring(const PartModel& model, const RevolvedSurface& surface,
                               const ExactQuery& query) {
   const std::span<const UndercutSample> samples = surface.samples;
-  const auto fit = fit_helix(samples, query.direction);
+  const auto fit = fit_surface(model, surface, query.direction);
   if (!fit) return std::nullopt;
   const Cylindrical about{map_frame(query.direction), fit->point};
   Reach radii;

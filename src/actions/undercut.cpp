@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -29,15 +31,82 @@ namespace {
 using PieceIndex = std::uint32_t;
 
 /// From that across from the longest edge to that across from the shortest.
-std::array<glm::dvec3, 3> corners_by_edges(const SplitMesh& split, PieceIndex piece) {
+std::array<glm::dvec3, 3> by_edges(const std::array<glm::dvec3, 3>& given) {
   std::array<std::pair<double, glm::dvec3>, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double across = glm::distance(split.corner(piece, (k + 1) % 3), split.corner(piece, (k + 2) % 3));
-    corners[k] = {across, split.corner(piece, k)};
-  }
+  for (std::size_t k = 0; k < 3; ++k)
+    corners[k] = {glm::distance(given[(k + 1) % 3], given[(k + 2) % 3]), given[k]};
   std::ranges::stable_sort(corners, std::greater(), [](const auto& each) { return each.first; });
   return {corners[0].second, corners[1].second, corners[2].second};
 }
+
+std::array<glm::dvec3, 3> corners_of(const SplitMesh& split, PieceIndex piece) {
+  return {split.corner(piece, 0), split.corner(piece, 1), split.corner(piece, 2)};
+}
+
+/// Spreads places over what of one facet is undercut: the same ones however that is cut into pieces,
+/// whichever way round it is seen.
+class FacetPlaces {
+ public:
+  /// Its pieces, not empty, and a number by which facets of one shape have other places.
+  FacetPlaces(const TriangleMesh& mesh, const SplitMesh& split, std::span<const PieceIndex> pieces,
+              std::uint64_t number)
+      : split_(split), pieces_(pieces), number_(number) {
+    const FacetIndex facet = split.pieces[pieces.front()].facet;
+    const auto [tip, far, near] =
+        by_edges({mesh.corner(facet, 0), mesh.corner(facet, 1), mesh.corner(facet, 2)});
+    // Along its longest edge, and from there to the corner across.
+    along_ = direction(far - near);
+    across_ = direction((tip - near) - glm::dot(tip - near, along_) * along_);
+    origin_ = near;
+    for (const PieceIndex piece : pieces) {
+      for (const glm::dvec3& corner : corners_of(split, piece)) {
+        low_ = glm::min(low_, flat(corner));
+        high_ = glm::max(high_, flat(corner));
+      }
+    }
+  }
+
+  /// One after another; in a piece where the facet is too thin for that.
+  [[nodiscard]] glm::dvec3 next() {
+    constexpr std::uint64_t k_most_places = 256;
+    for (std::uint64_t tries = 0; tries < k_most_places; ++tries) {
+      const glm::dvec2 share = glm::fract(static_cast<double>(++number_) * k_plastic);
+      const glm::dvec2 at = glm::mix(low_, high_, share);
+      if (std::ranges::any_of(pieces_, [&](PieceIndex piece) { return is_in(piece, at); }))
+        return origin_ + at.x * along_ + at.y * across_;
+    }
+    const auto largest = std::ranges::max_element(
+        pieces_, {}, [&](PieceIndex piece) { return piece_area(split_, split_.pieces[piece]); });
+    const auto [a, b, c] = by_edges(corners_of(split_, *largest));
+    return triangle_place(number_).in(a, b, c);
+  }
+
+ private:
+  /// Powers of the inverse of the plastic number, whose multiples fill a square evenly (Roberts 2018).
+  static constexpr glm::dvec2 k_plastic = {0.7548776662466927, 0.5698402909980532};
+
+  [[nodiscard]] static glm::dvec3 direction(const glm::dvec3& way) {
+    const double length = glm::length(way);
+    return length > 0.0 ? way / length : glm::dvec3(0.0);
+  }
+  [[nodiscard]] glm::dvec2 flat(const glm::dvec3& point) const {
+    return {glm::dot(point - origin_, along_), glm::dot(point - origin_, across_)};
+  }
+  [[nodiscard]] bool is_in(PieceIndex piece, const glm::dvec2& at) const {
+    std::array<double, 3> sides;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec2 from = flat(split_.corner(piece, k)), to = flat(split_.corner(piece, (k + 1) % 3));
+      sides[k] = (to.x - from.x) * (at.y - from.y) - (to.y - from.y) * (at.x - from.x);
+    }
+    return std::ranges::min(sides) >= 0.0 || std::ranges::max(sides) <= 0.0;
+  }
+
+  const SplitMesh& split_;
+  std::span<const PieceIndex> pieces_;
+  glm::dvec3 along_, across_, origin_;
+  glm::dvec2 low_{std::numeric_limits<double>::infinity()}, high_{-std::numeric_limits<double>::infinity()};
+  std::uint64_t number_;
+};
 
 /// A cube of the grid in which corners are looked for.
 struct GridCell {
@@ -267,17 +336,23 @@ bool is_shallow(const Release& release, std::span<const UndercutSample> samples,
   });
 }
 
-void put_in_order(const SplitMesh& split, const PartAxes& axes, std::vector<PieceIndex>& pieces) {
-  std::vector<std::pair<PlaceKey, PieceIndex>> keys;
-  for (const PieceIndex piece : pieces) keys.emplace_back(place_key(axes, split.middle(piece)), piece);
+/// By the places of their facets, those of a facet together.
+void put_in_order(const TriangleMesh& mesh, const SplitMesh& split, const PartAxes& axes,
+                  std::vector<PieceIndex>& pieces) {
+  std::vector<std::tuple<PlaceKey, FacetIndex, PlaceKey, PieceIndex>> keys;
+  for (const PieceIndex piece : pieces) {
+    const FacetIndex facet = split.pieces[piece].facet;
+    keys.emplace_back(place_key(axes, mesh.middle(facet)), facet, place_key(axes, split.middle(piece)),
+                      piece);
+  }
   std::ranges::sort(keys);
-  std::ranges::transform(keys, pieces.begin(), [](const auto& key) { return key.second; });
+  std::ranges::transform(keys, pieces.begin(), [](const auto& key) { return std::get<3>(key); });
 }
 
 /// The largest first; of those that rounding alone distinguishes the lower one, and so on.
 template <typename Ordered, typename Place>
 void put_in_order(const PartAxes& axes, std::vector<Ordered>& all, const Place& place) {
-  constexpr double k_steps = 1e6;  // of the logarithm of an area
+  constexpr double k_steps = 1e4;  // of the logarithm of an area
   std::ranges::stable_sort(all, {}, [&](const Ordered& one) {
     return std::pair(-std::llround(k_steps * std::log(std::max(one.area, 1e-300))),
                      place_key(axes, place(one)));
@@ -321,7 +396,7 @@ Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const E
   Undercuts found{.counted = {}, .specks = {}, .axes = part_axes(model, query.direction)};
   double total = 0.0;
   for (Undercut& undercut : all) {
-    put_in_order(split, found.axes, undercut.pieces);
+    put_in_order(model.part.mesh, split, found.axes, undercut.pieces);
     measure_area(split, undercut);
     total += undercut.area;
   }
@@ -406,16 +481,15 @@ std::vector<UndercutSample> sample_undercut(const PartModel& model, const SplitM
   std::vector<UndercutSample> samples;
   const double step = undercut.area / static_cast<double>(count);
   double sum = 0.0, next = 0.5 * step;
-  for (const PieceIndex piece : undercut.pieces) {
-    sum += piece_area(split, split.pieces[piece]);
-    for (; next < sum && samples.size() < count; next += step) {
-      const auto [a, b, c] = corners_by_edges(split, piece);
-      // The first of these places is a corner, where other walls meet the piece.
-      constexpr double k_inward = 0.05;
-      const glm::dvec3 place = triangle_place(samples.size()).in(a, b, c);
-      const glm::dvec3 at = samples.empty() ? glm::mix(place, (a + b + c) / 3.0, k_inward) : place;
-      samples.push_back({model.frame.to_unit(at), model.geometry.normals[split.pieces[piece].facet], step});
-    }
+  for (std::size_t first = 0, end = 0; first < undercut.pieces.size(); first = end) {
+    const FacetIndex facet = split.pieces[undercut.pieces[first]].facet;
+    for (; end < undercut.pieces.size() && split.pieces[undercut.pieces[end]].facet == facet; ++end)
+      sum += piece_area(split, split.pieces[undercut.pieces[end]]);
+    if (next >= sum || samples.size() >= count) continue;
+    FacetPlaces places(model.part.mesh, split, std::span(undercut.pieces).subspan(first, end - first),
+                       samples.size());
+    for (; next < sum && samples.size() < count; next += step)
+      samples.push_back({model.frame.to_unit(places.next()), model.geometry.normals[facet], step});
   }
   // By the fractional parts of multiples of the golden ratio, which fill every interval evenly.
   std::vector<UndercutSample> spread;
@@ -447,7 +521,7 @@ std::vector<UndercutSample> deepest_corners(const PartModel& model, const SplitM
   }
   count = std::min(count, corners.size());
   // Heights that rounding alone distinguishes are in the order of the pieces.
-  const double rounding = 1e-9 * model.frame.diagonal;
+  const double rounding = 1e-6 * model.frame.diagonal;
   std::ranges::stable_sort(corners, {},
                            [&](const Corner& each) { return std::llround(each.height / rounding); });
   constexpr double k_inward = 1e-4;

@@ -247,7 +247,7 @@ TEST(Meetings, OfLiftersAreAvoidedAlongTheWall) {
 }
 
 TEST(Meetings, OfLiftersAreToldAsSuch) {
-  const ActionSettings settings;
+  const ActionSettings settings = without_stems();
   const Planned planned = plan_of(box_with_pockets({12, 60}, {{0, 25, 35, 12}, {1, 25, 35, 12}}), settings);
   EXPECT_EQ(meetings_text(planned.plan),
             "The paths of lifters cross, and no alternative was found: rows 1 and 2.");

@@ -77,7 +77,7 @@ TriangleMesh block_with_leaning_pockets(double between_deg) {
   solid.box(low, high, {1});
   std::vector<test::Loop> mouths;
   for (const double sense : {-1.0, 1.0}) {
-    const double lean_deg = 0.5 * sense * between_deg, centre = 30.0 - 12.0 * sense;
+    const double lean_deg = 0.5 * sense * between_deg, centre = 30.0 - 14.0 * sense;
     const auto side = [&](double by_deg, double half, double x) {
       return centre + half + (x - (high.x - k_deep)) * std::tan(glm::radians(lean_deg + by_deg));
     };
