@@ -302,7 +302,9 @@ class BodyShaper::Maker {
       for (std::uint64_t k = 0; k <= k_places; ++k) {
         const glm::dvec3 at = k == 0 ? (a + b + c) / 3.0 : triangle_place(k).in(a, b, c);
         const UndercutSample sample{model_.frame.to_unit(at), action_.direction, 0.0};
-        if (release_.free_length(sample, action_.direction) != k_never) return false;
+        if (release_.free_length(sample, action_.direction) != k_never ||
+            release_.covered(sample, action_.direction))
+          return false;
       }
       return true;
     });

@@ -90,8 +90,8 @@ class FeatureFinder {
     double all = 0.0, round = 0.0;
     for (const auto& [area, facet] : order) {
       all += area;
-      const auto axis = round_wall_axis(context_.model.geometry, context_.model.adjacency, facet);
-      if (axis && std::abs(glm::dot(glm::normalize(*axis), action_.direction)) > k_along) round += area;
+      const auto wall = round_wall(context_.model.geometry, context_.model.adjacency, facet);
+      if (wall && std::abs(glm::dot(wall->axis, action_.direction)) > k_along) round += area;
     }
     return round > k_most_of * all;
   }

@@ -118,9 +118,12 @@ std::vector<PullCandidate> own_pulls(const PulledSurface& surface, const Undercu
   std::size_t walls = 0;
   for (const Plane& plane : planes) {
     if (walls == k_most_walls) break;
-    const auto axis = round_wall_axis(model.geometry, model.adjacency, plane.facet);
-    if (!axis) continue;
-    found.add_line(*axis, PullSource::exact);
+    const auto wall = round_wall(model.geometry, model.adjacency, plane.facet);
+    if (!wall) continue;
+    // A rounded edge says less of how an undercut leaves than the walls of the part do.
+    constexpr double k_least_wall = 0.3;  // of the undercut's area
+    found.add_line(wall->axis,
+                   wall->area >= k_least_wall * undercut.area ? PullSource::exact : PullSource::shape);
     ++walls;
   }
   glm::dvec3 mean(0.0);

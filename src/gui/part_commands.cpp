@@ -128,13 +128,14 @@ void Commands::take_normal() {
 void Commands::take_axis() {
   if (!app.state_.hover) return;
   const PartModel& model = *app.state_.model;
-  const auto axis = round_wall_axis(model.geometry, model.adjacency, app.state_.hover->point.facet);
-  if (!axis) {
+  const auto wall = round_wall(model.geometry, model.adjacency, app.state_.hover->point.facet);
+  if (!wall) {
     say("There is no round wall under the cursor; point at a cylinder, a cone or a hole", false);
     return;
   }
   // Of its two senses the one that leaves the core where it is.
-  app.set_direction(glm::dot(*axis, app.state_.settings.direction.unit()) < 0.0 ? -*axis : *axis);
+  app.set_direction(glm::dot(wall->axis, app.state_.settings.direction.unit()) < 0.0 ? -wall->axis
+                                                                                     : wall->axis);
 }
 
 void Commands::fly_to_direction(const glm::dvec3& direction) {

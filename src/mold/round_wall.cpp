@@ -88,8 +88,8 @@ Wall wall_about(const FacetGeometry& geometry, const Adjacency& adjacency, Facet
 
 }  // namespace
 
-std::optional<glm::dvec3> round_wall_axis(const FacetGeometry& geometry, const Adjacency& adjacency,
-                                          FacetIndex facet) {
+std::optional<RoundWall> round_wall(const FacetGeometry& geometry, const Adjacency& adjacency,
+                                    FacetIndex facet) {
   if (geometry.areas[facet] <= 0.0) return std::nullopt;
   const glm::dvec3& normal = geometry.normals[facet];
   std::vector<glm::dvec3> guesses, beside;
@@ -121,7 +121,7 @@ std::optional<glm::dvec3> round_wall_axis(const FacetGeometry& geometry, const A
     if (wall.turn_deg >= k_least_turn_deg && wall.area > best.area) best = wall;
   }
   if (best.area <= 0.0) return std::nullopt;
-  return half_sphere(best.axis);
+  return RoundWall{half_sphere(best.axis), best.area};
 }
 
 }  // namespace moldlight

@@ -10,10 +10,15 @@
 
 namespace moldlight {
 
-/// Unit axis of the round wall around `facet`: facets, joined over edges that bend by less than 45 degrees,
+struct RoundWall {
+  glm::dvec3 axis{0.0};  // unit, on the half-sphere of half_sphere()
+  double area = 0.0;     // model units squared
+};
+
+/// The round wall around `facet`: facets, joined over edges that bend by less than 45 degrees,
 /// whose normals have one angle to the axis and turn about it by 60 degrees at least. Nothing where there is
-/// none. On the half-sphere of half_sphere().
-[[nodiscard]] std::optional<glm::dvec3> round_wall_axis(const FacetGeometry& geometry,
-                                                        const Adjacency& adjacency, FacetIndex facet);
+/// none.
+[[nodiscard]] std::optional<RoundWall> round_wall(const FacetGeometry& geometry, const Adjacency& adjacency,
+                                                  FacetIndex facet);
 
 }  // namespace moldlight

@@ -45,8 +45,8 @@ double worst_deg(const TriangleMesh& mesh) {
     const glm::dvec3 middle = (mesh.corner(facet, 0) + mesh.corner(facet, 1) + mesh.corner(facet, 2)) / 3.0;
     const bool on_wall = glm::dot(glm::dvec2(normal), glm::normalize(glm::dvec2(middle))) > 0.8;
     if (!on_wall) continue;
-    const auto axis = round_wall_axis(geometry, adjacency, facet);
-    worst = std::max(worst, axis ? glm::degrees(std::acos(std::min(1.0, std::abs(axis->z)))) : 90.0);
+    const auto wall = round_wall(geometry, adjacency, facet);
+    worst = std::max(worst, wall ? glm::degrees(std::acos(std::min(1.0, std::abs(wall->axis.z)))) : 90.0);
   }
   return worst;
 }
@@ -60,7 +60,7 @@ TEST(RoundWall, AConeHasTheAxisOfItsCylinder) {
 
 TEST(RoundWall, APlaneHasNone) {
   const TriangleMesh box = test::box_mesh({0, 0, 0}, {3, 2, 1});
-  EXPECT_FALSE(round_wall_axis(facet_geometry(box), build_adjacency(box), 0));
+  EXPECT_FALSE(round_wall(facet_geometry(box), build_adjacency(box), 0));
 }
 
 }  // namespace
