@@ -7,6 +7,7 @@ from the tables of that page, and so is that it may be null. Keys may be added a
 """
 
 import json
+import math
 import sys
 
 import blocks
@@ -16,7 +17,7 @@ import runs
 FOLDER = blocks.ROOT / "docs" / "schemas"
 PARTS = ("enclosure_lid", "cable_clip", "bottle_cap", "tilted_bracket")
 TYPES = {bool: "boolean", int: "integer", float: "number", str: "string", type(None): "null", dict: "object", list: "array"}
-# Three facets of a tetrahedron, and two boxes of which one reaches into the other.
+# Three facets of a tetrahedron; beside it two boxes of which one reaches into the other, and a coarse nut.
 OPEN = "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\n"
 
 
@@ -27,6 +28,34 @@ def boxes():
     for first in (1, 9):
         for a, b, c, d in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)):
             text += f"f {first + a} {first + b} {first + c} {first + d}\n"
+    return text
+
+
+def nut():
+    """A tube with a thread of so few facets that its core hits them as it turns."""
+    around, lead, height = 16, 4, 16
+    levels = height * around // lead
+
+    def corner(number, level):
+        z = lead * level / around
+        phase = z / lead - number / around
+        tooth = abs(2 * (phase - math.floor(phase + 0.5)))
+        return 8 - 0.8 * min(1, z / 3, (height - z) / 3) * min(1, max(0, 2 * tooth - 0.5)), z
+
+    rings = [[corner(number, level) for number in range(around)] for level in range(levels + 1)]
+    rings += [[(14, height)] * around, [(14, 0)] * around]  # on outside, from the top down
+    text = ""
+    for ring in rings:
+        for number, (radius, z) in enumerate(ring):
+            angle = 2 * math.pi * number / around
+            text += f"v {radius * math.cos(angle)} {radius * math.sin(angle)} {z}\n"
+    for low in range(len(rings)):
+        high = (low + 1) % len(rings)
+        for number in range(around):
+            following = (number + 1) % around
+            a, b, c, d = (1 + ring * around + place for ring, place in
+                          ((low, number), (low, following), (high, following), (high, number)))
+            text += f"f {a} {c} {b}\nf {a} {d} {c}\n"
     return text
 
 
@@ -44,7 +73,7 @@ def commands(kind):
              "mold": ["", "--actions", "--fill-undercut --out mold --registration"],
              "classify": ["", "--readout samples", "--required-draft 2"], "actions": ["", "--strip-strain 0"]}
     lines = []
-    for part in [*(f"parts/{name}.stl --unit mm" for name in PARTS), "open.obj", "boxes.obj --repair union", "boxes.obj"]:
+    for part in [*(f"parts/{name}.stl --unit mm" for name in PARTS), "open.obj", "boxes.obj --repair union", "boxes.obj", "nut.obj"]:
         for more in flags[kind]:
             for direction in ("",) if kind == "sweep" else ("-d z", "-d 0.2,0.3,1", "-d best"):
                 lines.append(f"moldlight {kind} {part} {direction} {more} --json out.json")
@@ -55,6 +84,7 @@ def all_reports(session, heading, consoles):
     found = json_page.reports(session, consoles)
     (session.folder / "open.obj").write_text(OPEN, encoding="utf-8")
     (session.folder / "boxes.obj").write_text(boxes(), encoding="utf-8")
+    (session.folder / "nut.obj").write_text(nut(), encoding="utf-8")
     for line in commands(heading.split(".")[1].split("/")[0]):
         (session.folder / "out.json").unlink(missing_ok=True)
         session.command(line)

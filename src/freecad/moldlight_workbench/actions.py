@@ -28,7 +28,10 @@ class SideActions(Analysis):
     """Of a Mesh::FeaturePython: the closed solids that the actions move, where the mold is closed."""
 
     call = "actions"
-    keys = ("slide_angle_deg", "incline_deg", "lifter_angle_deg", "clearance_mm", "bundle_across_mm", "bundle_along_mm")
+    keys = (
+        "slide_angle_deg", "incline_deg", "lifter_angle_deg", "lifter_room_mm", "lifter_section_mm", "pin_diameter_mm",
+        "clearance_mm", "bundle_across_mm", "bundle_along_mm",
+    )
     title = QT_TRANSLATE_NOOP("Moldlight", "Undercuts and actions")
 
     def add_properties(self, obj):
