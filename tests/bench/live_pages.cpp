@@ -24,6 +24,7 @@
 #include "support/classify_mesh.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/shared_parts.hpp"
 
 namespace moldlight {
 namespace {
@@ -68,23 +69,6 @@ constexpr const char* k_areas = R"js(((direction, rest) => {
   return {areas: live.areas, said: byId("standing").textContent,
     verdicts: live.maps.verdicts.filter((_, k) => k % 4 === 0).slice(0, live.live.samples).join("")};
 }))js";
-
-/// Milliseconds a picture of 800 x 600 while the direction moves: plain shading and by maps, in turns.
-constexpr const char* k_frames = R"js((() => {
-  const live = view.director, {gl} = view, pixel = new Uint8Array(4), times = [[], []];
-  view.canvas.parentElement.getBoundingClientRect = () => ({left: 0, top: 0, bottom: 600, width: 800, height: 600});
-  for (let k = 0; k < 160; ++k) {
-    const angle = 0.02 * k, direction = unit([Math.sin(angle), 0.4 * Math.cos(1.3 * angle), Math.cos(angle)]);
-    const byMaps = k >> 3 & 1, start = performance.now();
-    if (byMaps) live.go(direction, false);
-    else { view.aim(direction); view.byMaps = false; }
-    view.draw();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-    if (k & 7) times[byMaps].push(performance.now() - start);
-  }
-  clearTimeout(live.resting);
-  return times.map((list) => list.sort((a, b) => a - b)[list.length >> 1]);
-})())js";
 
 double stated(const std::string& said) {
   std::smatch match;
@@ -142,7 +126,8 @@ void measure(test::Browser& browser, const std::string& part) {
       most_differ = std::max(most_differ, 100.0 * differ / static_cast<double>(verdicts.size()));
     }
   }
-  const Json frames = browser.value(k_frames);
+  const Json frames =
+      browser.value("(" + test::file_bytes((test::data_folder() / "live_frames.js").string()) + ")(view)");
   const double plain = frames[0], live = frames[1];
   fmt::print(
       "{:32} | at rest {:.3f} ± {:.2f}, {} beyond | moving {:.2f} ± {:.2f}, {} beyond | "

@@ -13,6 +13,7 @@ import firefox
 
 MOLDLIGHT = os.environ["MOLDLIGHT_BINARY"]
 PART = pathlib.Path(__file__).parents[2] / "assets" / "parts" / "tilted_bracket.stl"
+FRAMES = pathlib.Path(__file__).parents[1] / "data" / "live_frames.js"
 DIRECTIONS = ("1,0,0", "0,1,0", "0.3,-0.5,0.81", "-0.7,0.2,0.1", "0.02,0,1")
 
 # Areas along a direction that the page has left at rest, or moves to, and what it says of them.
@@ -23,22 +24,6 @@ AREAS = """begun.then((view) => {
   view.draw();
   clearTimeout(live.resting);
   return {areas: live.areas, said: byId("standing").textContent};
-})"""
-# Milliseconds a picture of 800 x 600 while the direction moves: plain shading and by maps, in turns.
-FRAMES = """begun.then((view) => {
-  const live = view.director, {gl} = view, pixel = new Uint8Array(4), times = [0, 0];
-  view.canvas.parentElement.getBoundingClientRect = () => ({left: 0, top: 0, bottom: 600, width: 800, height: 600});
-  for (let k = 0; k < 160; ++k) {
-    const angle = 0.02 * k, direction = unit([Math.sin(angle), 0.4 * Math.cos(1.3 * angle), Math.cos(angle)]);
-    const byMaps = k >> 3 & 1, start = performance.now();
-    if (byMaps) live.go(direction, false);
-    else { view.aim(direction); view.byMaps = false; }
-    view.draw();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-    if (k & 7) times[byMaps] += (performance.now() - start) / 70;
-  }
-  clearTimeout(live.resting);
-  return times;
 })"""
 
 
@@ -115,7 +100,7 @@ def print_frames(parts):
     for part in parts:
         with tempfile.TemporaryDirectory() as folder:
             browser.load(live_page(part, folder))
-            plain, live = browser.value(FRAMES)
+            plain, live = browser.value(f"begun.then({FRAMES.read_text()})")
             print(f"{pathlib.Path(part).name}: plain {plain:.1f} ms, by maps {live:.1f} ms a frame")
     browser.close()
 
