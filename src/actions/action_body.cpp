@@ -61,7 +61,7 @@ class BodyShaper::Maker {
   bool leave_out(std::span<const glm::dvec3> points) {
     if (action_.about) return false;
     const auto is_hit = [&](const Corners& corners) {
-      return std::ranges::any_of(points, [&](const glm::dvec3& point) { return is_before(corners, point); });
+      return are_before({vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]]}, points);
     };
     // What is left out is no more than it must be.
     constexpr double k_small = 5e-4;  // of the surface
@@ -82,7 +82,19 @@ class BodyShaper::Maker {
       return false;
     lost_ += lost;
     triangles_ = std::move(left);
+    hits_.insert(hits_.end(), points.begin(), points.end());
     return true;
+  }
+
+  [[nodiscard]] std::vector<TriangleMesh> stems() const {
+    const glm::dvec3 down = action_.core_side ? release_.direction() : -release_.direction();
+    std::vector<TriangleMesh> solids;
+    for (const Stem& stem : action_.stems) {
+      const double height = (release_.reach(down) + k_beyond) * model_.frame.diagonal -
+                            glm::dot(stem.top - model_.frame.center, down);
+      solids.push_back(stem_solid(stem, height / glm::dot(stem.way, down)));
+    }
+    return solids;
   }
 
   std::optional<TriangleMesh> make(double thickness) {
@@ -120,16 +132,20 @@ class BodyShaper::Maker {
  private:
   using Corners = std::array<VertexIndex, 3>;
 
-  /// Whether a point lies where the triangle passes on its way out.
-  [[nodiscard]] bool is_before(const Corners& corners, const glm::dvec3& point) const {
+  /// Whether one of the points lies where a triangle passes on its way out.
+  [[nodiscard]] bool are_before(const std::array<glm::dvec3, 3>& corners,
+                                std::span<const glm::dvec3> points) const {
     const double near = release_.lateral() * model_.frame.diagonal;
     const glm::dvec3& way = action_.direction;
     const auto along = [&](const glm::dvec3& at) { return glm::dot(at, way); };
     const auto across = [&](const glm::dvec3& at) { return at - along(at) * way; };
-    const glm::dvec3 &a = vertices_[corners[0]], &b = vertices_[corners[1]], &c = vertices_[corners[2]];
-    if (along(point) < std::min({along(a), along(b), along(c)}) - near) return false;
-    const glm::dvec3 at = across(point);
-    return glm::distance(nearest_in_triangle(at, {across(a), across(b), across(c)}), at) <= near;
+    const auto& [a, b, c] = corners;
+    const double least = std::min({along(a), along(b), along(c)}) - near;
+    const std::array seen = {across(a), across(b), across(c)};
+    return std::ranges::any_of(points, [&](const glm::dvec3& point) {
+      const glm::dvec3 at = across(point);
+      return along(point) >= least && glm::distance(nearest_in_triangle(at, seen), at) <= near;
+    });
   }
 
   [[nodiscard]] double total_area() const {
@@ -299,6 +315,7 @@ class BodyShaper::Maker {
     constexpr std::uint64_t k_places = 24;  // of a triangle
     const bool free = std::ranges::all_of(cap, [&](const auto& corners) {
       const glm::dvec3 &a = outline[corners[0]], &b = outline[corners[1]], &c = outline[corners[2]];
+      if (are_before({a, b, c}, hits_)) return false;
       for (std::uint64_t k = 0; k <= k_places; ++k) {
         const glm::dvec3 at = k == 0 ? (a + b + c) / 3.0 : triangle_place(k).in(a, b, c);
         const UndercutSample sample{model_.frame.to_unit(at), action_.direction, 0.0};
@@ -366,6 +383,7 @@ class BodyShaper::Maker {
   Release release_;
   std::vector<std::array<VertexIndex, 3>> triangles_;  // with caps
   double whole_ = 0.0, lost_ = 0.0;                    // area at first, and what of it was left out since
+  std::vector<glm::dvec3> hits_;                       // for which it was
 };
 
 BodyShaper::BodyShaper(const PartModel& model, const SplitMesh& split, const ExactQuery& query,
@@ -374,6 +392,7 @@ BodyShaper::BodyShaper(const PartModel& model, const SplitMesh& split, const Exa
 BodyShaper::~BodyShaper() = default;
 
 std::optional<TriangleMesh> BodyShaper::shape(double thickness) { return maker_->make(thickness); }
+std::vector<TriangleMesh> BodyShaper::stems() const { return maker_->stems(); }
 bool BodyShaper::leave_out(std::span<const glm::dvec3> points) { return maker_->leave_out(points); }
 
 double turn_of(const SideAction& action, double share) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 
@@ -23,9 +24,11 @@ class BodyShaper {
              std::size_t action);
   ~BodyShaper();
 
-  /// With this share (0, 1] of the usual thickness, where it is a slice. Nothing for what is stripped off,
-  /// which has no body of its own.
+  /// With this share (0, 1] of the usual thickness, where it is a slice, without stems. Nothing for what is
+  /// stripped off, which has no body of its own.
   [[nodiscard]] std::optional<TriangleMesh> shape(double thickness);
+  /// The stems of a lifter, each from its head down to below the part.
+  [[nodiscard]] std::vector<TriangleMesh> stems() const;
   /// Leaves out the surface from which these points of the body come, at which it is in the part. False, with
   /// nothing left out, where that and what was left out before are more than may stay blocked
   /// (k_blocked_share).

@@ -373,20 +373,6 @@ SurfacePoints lattice_points(const TriangleMesh& mesh, const glm::dvec3& way, co
   return points;
 }
 
-/// The stems of an action, each down to below the part.
-std::vector<TriangleMesh> stem_solids(const SideAction& action, const PartModel& model,
-                                      const glm::dvec3& direction) {
-  constexpr double k_below = 0.08;  // the part, share of the diagonal
-  const glm::dvec3 down = action.core_side ? direction : -direction;
-  double lowest = -std::numeric_limits<double>::infinity();
-  for (const glm::dvec3& vertex : model.part.mesh.vertices) lowest = std::max(lowest, glm::dot(vertex, down));
-  lowest += k_below * model.frame.diagonal;
-  std::vector<TriangleMesh> solids;
-  for (const Stem& stem : action.stems)
-    solids.push_back(stem_solid(stem, (lowest - glm::dot(stem.top, down)) / glm::dot(stem.way, down)));
-  return solids;
-}
-
 void append(const TriangleMesh& solid, TriangleMesh& mesh) {
   const auto first = static_cast<VertexIndex>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), solid.vertices.begin(), solid.vertices.end());
@@ -422,31 +408,33 @@ struct BodyPlayer::Shape {
   std::optional<BodyShaper> shaper = {};
   std::deque<PlayedBody> solids = {};  // each half as thick as the one before
   std::deque<std::deque<PlayedBody>> former =
-      {};               // before some of their surface was left out; known to others
-  double volume = 0.0;  // of the last one, without its stems
-  bool done = false;    // there is no thinner one
+      {};             // before some of their surface was left out; known to others
+  bool done = false;  // there is no thinner one
 
   /// The body of an action, so thin; null where there is none.
-  const PlayedBody* thinned(std::size_t times, const SideAction& action, const PartModel& part_model,
-                            const glm::dvec3& direction, std::size_t points) {
+  const PlayedBody* thinned(std::size_t times, const SideAction& action, const glm::dvec3& direction,
+                            std::size_t points) {
     constexpr std::size_t k_most = 7, k_of_stem = 4;  // of a stem one in so many of the points
     if (times < solids.size()) return &solids[times];
     if (done) return nullptr;
-    const auto mesh = shaper->shape(std::exp2(-static_cast<double>(solids.size())));
-    // What reaches out of the mold, or round a thread, is as thick as it must be.
-    done = !mesh || solids.size() + 1 == k_most || (!solids.empty() && signed_volume(*mesh) == volume);
-    if (!mesh || (done && solids.size() + 1 < k_most)) return nullptr;
-    volume = signed_volume(*mesh);
+    auto mesh = shaper->shape(std::exp2(-static_cast<double>(solids.size())));
     const glm::dvec3& way = action.kind == ActionKind::unscrew ? action.about->direction : action.direction;
-    SurfacePoints all = lattice_points(*mesh, way, direction, points);
-    Part part;
-    part.mesh = *mesh;
-    for (const TriangleMesh& stem : stem_solids(action, part_model, direction)) {
-      append(stem, part.mesh);
-      const SurfacePoints its = lattice_points(stem, way, direction, points / k_of_stem);
-      all.few.insert(all.few.end(), its.few.begin(), its.few.end());
-      all.others.insert(all.others.end(), its.others.begin(), its.others.end());
+    SurfacePoints all;
+    if (mesh) {
+      all = lattice_points(*mesh, way, direction, points);
+      for (const TriangleMesh& stem : shaper->stems()) {
+        append(stem, *mesh);
+        const SurfacePoints its = lattice_points(stem, way, direction, points / k_of_stem);
+        all.few.insert(all.few.end(), its.few.begin(), its.few.end());
+        all.others.insert(all.others.end(), its.others.begin(), its.others.end());
+      }
     }
+    // What reaches out of the mold, or round a thread, is as thick as it must be.
+    done = !mesh || solids.size() + 1 == k_most ||
+           (!solids.empty() && signed_volume(*mesh) == signed_volume(solids.back().model->part.mesh));
+    if (!mesh || (done && solids.size() + 1 < k_most)) return nullptr;
+    Part part;
+    part.mesh = std::move(*mesh);
     PlayedBody& solid = solids.emplace_back(PlayedBody{prepare_part(std::move(part), Progress())});
     solid.few = all.few.size();
     solid.points = std::move(all.few);
@@ -479,7 +467,7 @@ void BodyPlayer::measure(ActionPlan& plan, bool fine) {
   for (std::size_t k = 0; k < plan.actions.size(); ++k) shapes.push_back(&known_[key_of(plan, k)]);
   const auto thinned = [&](std::size_t k, std::size_t times) {
     if (progress_.cancelled()) throw Cancelled();
-    return shapes[k]->thinned(times, plan.actions[k], model_, query_.direction, play_.points);
+    return shapes[k]->thinned(times, plan.actions[k], query_.direction, play_.points);
   };
   tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
     if (!shapes[k]->shaper) shapes[k]->shaper.emplace(model_, split_, query_, plan, k);

@@ -30,7 +30,6 @@ namespace {
 constexpr double k_samples = 6000.0;                              // over all undercuts
 constexpr double k_least_samples = 48.0, k_most_samples = 600.0;  // of one of them
 constexpr double k_rough = 0.25;                                  // of these
-constexpr double k_same_width = 1e-6;                             // of pins, by which they may be thinner
 constexpr double k_across = 0.7;      // cosine, at most, between a way and one across it
 constexpr double k_pin_reach = 0.02;  // of the diagonal, from a pin to its undercut
 
@@ -110,13 +109,13 @@ class Finder {
 
   /// Holes that take a thinner pin than is asked for; but where the user asks for an action.
   void find_thin_pins() {
+    constexpr double k_of_facets = 0.95;  // of its diameter a round hole of ten sides is wide between flats
     const double least = settings_.pin_diameter_mm * unit_per_mm_ / model_.frame.diagonal;
     if (least <= 0.0) return;
     for_each_atom([&](std::size_t k) {
       UndercutPart& undercut_part = undercut_parts_[k];
       if (!undercut_part.covered && undercut_part.pin == nullptr)
-        undercut_part.thin =
-            core_pin_of(pulls_.release(), undercut_part.samples, least * (1.0 - k_same_width));
+        undercut_part.thin = core_pin_of(pulls_.release(), undercut_part.samples, k_of_facets * least);
     });
   }
 
@@ -427,17 +426,6 @@ class Finder {
     set_pins(plan);
   }
 
-  [[nodiscard]] double extent_of(const Undercut& undercut, const glm::dvec3& along) const {
-    double low = k_never, high = -k_never;
-    for (const std::uint32_t piece : undercut.pieces) {
-      for (const VertexIndex corner : split_.pieces[piece].corners) {
-        low = std::min(low, glm::dot(split_.vertices[corner], along));
-        high = std::max(high, glm::dot(split_.vertices[corner], along));
-      }
-    }
-    return high - low;
-  }
-
   /// Of what slides and inserts form, the most slender pins.
   void set_pins(ActionPlan& plan) const {
     constexpr double k_widest = 0.25;  // of the diagonal: more is no pin
@@ -451,7 +439,7 @@ class Finder {
       auto pin = core_pin_of(pulls_.release(), undercut_part.samples, k_widest);
       if (!pin) continue;
       pin->width *= diagonal;
-      pin->length = extent_of(undercuts_.counted[undercut_part.undercut], pin->axis);
+      pin->length = extent_along(split_, undercuts_.counted[undercut_part.undercut], pin->axis);
       if (!action->core_pin || action->core_pin->length * pin->width < pin->length * action->core_pin->width)
         action->core_pin = pin;
     }

@@ -34,7 +34,7 @@ constexpr double k_most_turns = 20.0;                   // that are played
 constexpr double k_may_meet = 0.1;          // share of the area that meets the part where the thread runs out
 constexpr std::size_t k_first_turned = 60;  // which show soon that most of it meets the part
 constexpr double k_hopeless = 0.6;
-constexpr double k_nearly_meets = 0.5;  // of a thread whose axis is not found well enough
+constexpr double k_nearly_meets = 0.5;  // share: it is no thread, and the rest is not asked
 constexpr int k_sectors = 24;           // that a ring must fill
 
 /// About an axis along z of the frame.
@@ -184,10 +184,8 @@ std::optional<HelixFit> fit_surface(const PartModel& model, const RevolvedSurfac
   return fit_helix(whole ? middles : surface.samples, direction);
 }
 
-/// `least_met` becomes the least share that meets the part, where that is less.
 std::optional<Thread> thread_about(const HelixFit& fit, const PartModel& model,
-                                   const RevolvedSurface& surface, const ExactQuery& query,
-                                   double& least_met) {
+                                   const RevolvedSurface& surface, const ExactQuery& query) {
   const auto& [samples, facets] = surface;
   const Cylindrical about{map_frame(query.direction), fit.point};
   Reach radii;
@@ -201,7 +199,6 @@ std::optional<Thread> thread_about(const HelixFit& fit, const PartModel& model,
     for (const bool core_side : {true, false}) {
       const ScrewMotion motion = screw_out(heights, {fit.point, advance}, core_side, query);
       const double met = met_share(model, samples, motion);
-      least_met = std::min(least_met, met);
       if (met > k_may_meet) continue;
       return Thread{.helix = {fit.point, advance},
                     .pitch = pitch,
@@ -267,12 +264,7 @@ std::optional<Thread> find_thread(const PartModel& model, const RevolvedSurface&
                                   const ExactQuery& query) {
   const auto fit = fit_surface(model, surface, query.direction);
   if (!fit) return std::nullopt;
-  double least_met = 1.0;
-  const auto thread = thread_about(*fit, model, surface, query, least_met);
-  // Few samples of coarse facets may leave the axis too far off to screw along it: whole facets do not.
-  if (thread || least_met > k_nearly_meets) return thread;
-  const auto whole = fit_helix(middles_of(model, surface.facets), query.direction);
-  return whole ? thread_about(*whole, model, surface, query, least_met) : std::nullopt;
+  return thread_about(*fit, model, surface, query);
 }
 
 bool goes_with(const PartModel& model, const Thread& thread, const ThreadAndOther& samples,

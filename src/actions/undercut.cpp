@@ -70,8 +70,7 @@ class FacetPlaces {
   [[nodiscard]] glm::dvec3 next() {
     constexpr std::uint64_t k_most_places = 256;
     for (std::uint64_t tries = 0; tries < k_most_places; ++tries) {
-      const glm::dvec2 share = glm::fract(static_cast<double>(++number_) * k_plastic);
-      const glm::dvec2 at = glm::mix(low_, high_, share);
+      const glm::dvec2 at = glm::mix(low_, high_, square_place(++number_));
       if (std::ranges::any_of(pieces_, [&](PieceIndex piece) { return is_in(piece, at); }))
         return origin_ + at.x * along_ + at.y * across_;
     }
@@ -82,9 +81,6 @@ class FacetPlaces {
   }
 
  private:
-  /// Powers of the inverse of the plastic number, whose multiples fill a square evenly (Roberts 2018).
-  static constexpr glm::dvec2 k_plastic = {0.7548776662466927, 0.5698402909980532};
-
   [[nodiscard]] static glm::dvec3 direction(const glm::dvec3& way) {
     const double length = glm::length(way);
     return length > 0.0 ? way / length : glm::dvec3(0.0);
@@ -254,17 +250,7 @@ void measure_area(const SplitMesh& split, Undercut& undercut) {
 
 void measure_extents(const SplitMesh& split, const glm::dvec3& direction, Undercut& undercut) {
   const MapFrame frame = map_frame(direction);
-  const auto extent = [&](const glm::dvec3& along) {
-    double least = std::numeric_limits<double>::infinity(), greatest = -least;
-    for (const PieceIndex piece : undercut.pieces) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double at = glm::dot(split.corner(piece, k) - undercut.centre, along);
-        least = std::min(least, at);
-        greatest = std::max(greatest, at);
-      }
-    }
-    return greatest - least;
-  };
+  const auto extent = [&](const glm::dvec3& along) { return extent_along(split, undercut, along); };
   undercut.size_along = extent(direction);
   constexpr int k_turns = 36;
   for (int k = 0; k < k_turns; ++k) {
@@ -503,6 +489,18 @@ std::vector<UndercutSample> sample_undercut(const PartModel& model, const SplitM
   for (std::size_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
   for (const std::size_t k : rank) spread.push_back(samples[k]);
   return spread;
+}
+
+double extent_along(const SplitMesh& split, const Undercut& undercut, const glm::dvec3& direction) {
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  for (const PieceIndex piece : undercut.pieces) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double at = glm::dot(split.corner(piece, k) - undercut.centre, direction);
+      least = std::min(least, at);
+      greatest = std::max(greatest, at);
+    }
+  }
+  return greatest - least;
 }
 
 std::vector<UndercutSample> deepest_corners(const PartModel& model, const SplitMesh& split,

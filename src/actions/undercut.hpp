@@ -85,6 +85,10 @@ struct UndercutCount {
 [[nodiscard]] std::vector<UndercutSample> sample_undercut(const PartModel& model, const SplitMesh& split,
                                                           const Undercut& undercut, std::size_t count);
 
+/// How far an undercut reaches along a direction (unit), from end to end.
+[[nodiscard]] double extent_along(const SplitMesh& split, const Undercut& undercut,
+                                  const glm::dvec3& direction);
+
 /// Corners of its pieces, moved into them a little: the `count` that lie farthest against `direction`. The
 /// area they stand for is 0.
 [[nodiscard]] std::vector<UndercutSample> deepest_corners(const PartModel& model, const SplitMesh& split,

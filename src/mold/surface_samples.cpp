@@ -32,8 +32,13 @@ SurfaceSample sample_at(const TriangleMesh& mesh, FacetIndex facet, const UnitFr
 
 }  // namespace
 
+glm::dvec2 square_place(std::uint64_t index) {
+  return {fraction(index * k_step_u), fraction(index * k_step_v)};
+}
+
 TrianglePlace triangle_place(std::uint64_t index) {
-  const double u = fraction(index * k_step_u), v = fraction(index * k_step_v);
+  const glm::dvec2 place = square_place(index);
+  const double u = place.x, v = place.y;
   return u + v > 1.0 ? TrianglePlace{1.0 - u, 1.0 - v} : TrianglePlace{u, v};
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "mesh/facet_geometry.hpp"
@@ -26,8 +27,12 @@ struct SurfaceSamples {
   std::vector<std::uint64_t> first;  // facets + 1 entries
 };
 
+/// Place number `index` in the unit square: consecutive numbers fill it evenly (additive recurrence of the
+/// plastic number, Roberts 2018).
+[[nodiscard]] glm::dvec2 square_place(std::uint64_t index);
+
 /// Place number `index` in a triangle a, b, c: the point a + u (b - a) + v (c - a). The places of consecutive
-/// numbers fill the triangle evenly (additive recurrence of the plastic number, Roberts 2018, folded).
+/// numbers fill the triangle evenly (those of the square, folded).
 struct TrianglePlace {
   double u = 0.0, v = 0.0;
 

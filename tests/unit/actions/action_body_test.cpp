@@ -204,5 +204,35 @@ TEST(ActionPieces, AreAllOfTheUndercuts) {
   for (std::size_t k = 0; k < areas.size(); ++k) EXPECT_NEAR(areas[k], planned.plan.actions[k].area, 1e-6);
 }
 
+/// Spots over the floor of a hole: each takes a column out of the body, until they are 0.5 % of its surface.
+TEST(ActionBody, LeavesSpotsOutAtWhichItHits) {
+  const Planned planned = plan_of(laid(block_with_hole({}), 0.0));
+  ASSERT_EQ(actions_text(planned.plan), "1 slide");
+  BodyShaper shaper(*planned.model, *planned.result.split,
+                    exact_query(*planned.model, planned.result.query()), planned.plan, 0);
+  const double surface = 5.0 * 5.0 * 3.13 + 2.0 * 3.13 * 5.0 * 14.0;  // floor and wall of 32 sides
+  const TriangleMesh whole = shaper.shape(1.0).value();
+  const Bounds box = bounds(whole);
+  const double length = box.max.x - box.min.x, first = signed_volume(whole);
+  double volume = first;
+  int spots = 0;
+  constexpr int k_most = 100;
+  for (int k = 0; k < k_most; ++k) {
+    const glm::dvec3 hit(box.max.x - 1.0, -3.0 + 0.6 * (k % 10), -3.0 + 0.6 * (k / 10));
+    const bool left_out = shaper.leave_out({&hit, 1});
+    const double now = signed_volume(shaper.shape(1.0).value());
+    if (!left_out) {
+      EXPECT_NEAR(now, volume, 1e-5 * volume) << "what is too much stays";
+      continue;
+    }
+    ++spots;
+    EXPECT_LT(now, volume);
+    volume = now;
+  }
+  EXPECT_GT(spots, 2);
+  EXPECT_LT(spots, k_most) << "not for ever";
+  EXPECT_LT(first - volume, 1.02 * k_blocked_share * surface * length);
+}
+
 }  // namespace
 }  // namespace moldlight

@@ -94,6 +94,14 @@ TEST(CorePin, IsNoThinnerThanPinsMayBe) {
   }
 }
 
+/// What the facets of a round hole take off it is nothing.
+TEST(CorePin, IsAsThickAsTheHoleThatFacetsStandFor) {
+  for (const int sides : {10, 12, 32}) {
+    const Hole hole{.depth = 3.0, .radius = 0.5, .sides = sides};
+    EXPECT_EQ(actions_text(plan_of(laid(block_with_hole(hole), 0.0)).plan), "1 slide") << sides;
+  }
+}
+
 TEST(CorePin, ThatIsSlenderIsSaidToBend) {
   for (const double depth : {10.0, 15.0}) {
     const Planned planned = plan_of(laid(block_with_hole({.depth = depth, .radius = 0.75}), 0.0));

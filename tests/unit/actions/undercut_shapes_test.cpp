@@ -106,5 +106,34 @@ TEST(LeaningPockets, ShareASlideThatReleasesBoth) {
   EXPECT_EQ(actions_text(plan_of(block_with_leaning_pockets(60.0)).plan), "2 slides");
 }
 
+/// Each of its pieces in three.
+TEST(UndercutSamples, AreTheSameHoweverItIsCut) {
+  for (const TriangleMesh& mesh : {laid(block_with_hole({.draft_deg = 2.0}), 20.0), box_with_hook(3.0)}) {
+    const Planned planned = plan_of(mesh);
+    const Undercut& undercut = planned.plan.undercuts[0].undercut;
+    SplitMesh cut = *planned.result.split;
+    Undercut finer = undercut;
+    finer.pieces.clear();
+    for (const std::uint32_t piece : undercut.pieces) {
+      const auto [a, b, c] = cut.pieces[piece].corners;
+      const auto middle = static_cast<VertexIndex>(cut.vertices.size());
+      cut.vertices.push_back(cut.middle(piece));
+      finer.pieces.push_back(piece);
+      for (const auto& corners : {std::array{b, c, middle}, std::array{c, a, middle}}) {
+        finer.pieces.push_back(static_cast<std::uint32_t>(cut.pieces.size()));
+        cut.pieces.push_back(cut.pieces[piece]);
+        cut.pieces.back().corners = corners;
+      }
+      cut.pieces[piece].corners = {a, b, middle};
+    }
+    const auto own = sample_undercut(*planned.model, *planned.result.split, undercut, 200);
+    const auto other = sample_undercut(*planned.model, cut, finer, 200);
+    ASSERT_EQ(own.size(), 200U);
+    ASSERT_EQ(other.size(), own.size());
+    for (std::size_t k = 0; k < own.size(); ++k)
+      EXPECT_LT(glm::distance(own[k].position, other[k].position), 1e-6F) << k;
+  }
+}
+
 }  // namespace
 }  // namespace moldlight
