@@ -62,6 +62,25 @@ TEST(Stem, GoesThroughTheNeckOfASlot) {
   EXPECT_NEAR(wide.plan.actions[0].travel, 4.0, 0.05);
 }
 
+/// Under the roof the lifter has all the room it needs; in the neck its stem must have it, too, as it
+/// travels.
+TEST(Stem, HasRoomInTheNeckWhereItTravels) {
+  const auto with_neck = [](double neck) {
+    const Loop2 profile = {{16, 20}, {16, 12}, {12, 12},        {12, 6},
+                           {52, 6},  {52, 12}, {16 + neck, 12}, {16 + neck, 20}};
+    return plan_of(block_with_cavity(profile, {60, 20}, 30.0)).plan;
+  };
+  const auto goes_ahead = [](const auto& action) {
+    return action.kind == ActionKind::lifter && action.direction.x > 0.99;
+  };
+  const ActionPlan narrow = with_neck(4.0 + 1.12 + 4.0 - 0.1);
+  EXPECT_EQ(std::ranges::count_if(narrow.actions, goes_ahead), 0);
+  const auto refused = std::ranges::find_if(narrow.rejected, goes_ahead);
+  ASSERT_NE(refused, narrow.rejected.end());
+  EXPECT_EQ(refused->reason, RejectReason::no_stem) << reject_text(refused->reason);
+  EXPECT_EQ(std::ranges::count_if(with_neck(4.0 + 1.12 + 4.0 + 1.1).actions, goes_ahead), 1);
+}
+
 TEST(Stem, IsPartOfTheBodyAndReachesOutOfTheMold) {
   const Planned planned = hook_with(12.0);
   ASSERT_EQ(actions_text(planned.plan), "1 lifter");
