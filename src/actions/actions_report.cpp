@@ -217,8 +217,11 @@ std::string rejected_text(const PartModel& model, const ActionPlan& plan) {
                            unit);
       case RejectReason::no_stem:
         return std::string("there is no room for its stem down to the ejector plate");
+      case RejectReason::too_far:
+        return fmt::format("it would have to travel {} {}, farther than ejectors drive it",
+                           rounded(rejected.travel), unit);
       case RejectReason::thin_pin:
-        return fmt::format("its core pin is {} {} thick", rounded(rejected.width), unit);
+        return fmt::format("its core pin of {} {} is too thin", rounded(rejected.width), unit);
       case RejectReason::leaves_rest:
         return fmt::format("it leaves {} unreleased", style.with_unit(FigureKind::area, rejected.left));
       default:

@@ -261,6 +261,11 @@ std::optional<Pull> PullFinder::shared_lifter(std::span<const UndercutSample> sa
 void PullFinder::set_lack(FreeLengths& lengths, Pull& lifter, bool with_stem) const {
   const LifterWay way{lifter.direction, lifter.core_side ? direction_ : -direction_, lifter.travel};
   lifter.lack.reset();
+  if (lifter.travel > longest_lifter_) {
+    lifter.lack =
+        Pull::Lack{.reason = RejectReason::too_far, .at = lengths.samples().front(), .room = k_never};
+    return;
+  }
   if (release_.clears(lengths, way, lifter_room_)) {
     if (with_stem && asks_for_stems() && !find_stem(release_, lengths, way, stem_))
       lifter.lack =

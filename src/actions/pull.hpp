@@ -2,9 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include <glm/trigonometric.hpp>
 
 #include "actions/pull_candidates.hpp"
 #include "actions/release.hpp"
@@ -63,7 +66,8 @@ class PullFinder {
         stem_{.width = settings.lifter_section_mm * unit_per_mm(model.part) / model.frame.diagonal,
               .angle_deg = settings.lifter_angle_deg},
         longest_lifter_(
-            std::max(k_longest_lifter, k_longest_lifter_mm * unit_per_mm(model.part) / model.frame.diagonal)),
+            std::tan(glm::radians(settings.lifter_angle_deg)) *
+            std::max(k_longest_stroke, k_longest_stroke_mm * unit_per_mm(model.part) / model.frame.diagonal)),
         least_travel_(least_depth(model, query, settings.least_travel_mm)),
         release_(model, query, &progress) {
     for (const glm::dvec3& axis : {axes.x, axes.y, axes.z})
@@ -159,9 +163,8 @@ class PullFinder {
   const PartAxes& axes_;
   glm::dvec3 direction_;
   const ActionSettings& settings_;
-  /// Of a lifter that clears an undercut in part: share of the diagonal, and a length that is fine for any
-  /// part. More asks for a stroke of the ejector that no machine has.
-  static constexpr double k_longest_lifter = 0.1, k_longest_lifter_mm = 25.0;
+  /// Of the ejectors that drive a lifter: share of the diagonal, and what machines have for any part.
+  static constexpr double k_longest_stroke = 1.5, k_longest_stroke_mm = 150.0;
 
   double tau_deg_, lifter_room_;
   StemSettings stem_;

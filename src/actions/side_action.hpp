@@ -31,12 +31,14 @@ struct Revolution {
 
 /// Why an action that would release an undercut cannot be built. No room: the part is in the way of the
 /// lifter's own thickness beyond its travel. No way out: that thickness cannot leave along its half after its
-/// travel. No stem: there is no place for what it stands on. Thin pin: what would form a hole breaks. Its
-/// body hits the part, or another action's. The rest of its undercut keeps the part in the mold.
+/// travel. No stem: there is no place for what it stands on. Too far: ejectors do not drive it so far. Thin
+/// pin: what would form a hole breaks. Its body hits the part, or another action's. The rest of its undercut
+/// keeps the part in the mold.
 enum class RejectReason : std::uint8_t {
   no_room,
   no_way_out,
   no_stem,
+  too_far,
   thin_pin,
   hits_part,
   hits_body,

@@ -127,7 +127,7 @@ report::ReportContext report_context(const ReportFlags& flags, const gl::Context
 }
 
 void write_reports(const ReportFlags& flags, const report::Report& report, Console& console) {
-  if (!report.not_live.empty()) console.warning(report.not_live);
+  if (!report.live_notice.empty()) console.warning(report.live_notice);
   if (!flags.html.empty()) report::write_html(flags.html, report);
   if (!flags.pdf.empty()) report::write_pdf(flags.pdf, report, flags.paper);
 }

@@ -317,7 +317,12 @@ void Commands::export_report(const report::ReportOrder& order) {
   app.export_.start([order, study = known_study(state), palette = state.settings.look.palette,
                      make_context = app.options_.make_context](const Progress& progress) mutable {
     const auto gl = make_context(study.questions().query.method.backend);
-    return write_report(order, {study.shared_model(), progress, gl.get(), palette, false, MOLDLIGHT_VERSION},
+    return write_report(order,
+                        {.model = study.shared_model(),
+                         .progress = progress,
+                         .gl = gl.get(),
+                         .palette = palette,
+                         .version = MOLDLIGHT_VERSION},
                         study);
   });
 }

@@ -30,8 +30,9 @@ constexpr std::size_t k_buffer_bytes = std::size_t{1} << 20;
 constexpr int k_max_link_hops = 40;
 
 constexpr std::string_view k_beginning = ".moldlight-", k_ending = ".part";
-/// Nobody writes to a file for so long and goes on later.
-constexpr std::chrono::minutes k_leftover_age(10);
+/// No program that we cannot see writes to a file for so long and goes on later. One that is there may sleep
+/// with its machine; in the longer time its number is more likely another's.
+constexpr std::chrono::minutes k_leftover_age(10), k_leftover_age_beside_process(24 * 60);
 
 /// Where a process has its number to itself: this run of the machine, and what of its processes ours sees.
 const std::string& place_of_processes() {
@@ -52,13 +53,17 @@ bool is_left_behind(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(fs::symlink_status(file, error))) return false;
   const std::string ours = fmt::format("{}{}-", k_beginning, place_of_processes());
+  auto age = k_leftover_age;
   if (name.starts_with(ours)) {
     const auto process =
         number_from<pid_t>(name.substr(ours.size(), name.find('-', ours.size()) - ours.size()));
-    if (process && *process > 0 && ::kill(*process, 0) != 0 && errno == ESRCH) return true;
+    if (process && *process > 0) {
+      if (::kill(*process, 0) != 0 && errno == ESRCH) return true;
+      age = k_leftover_age_beside_process;
+    }
   }
   const auto written = fs::last_write_time(file, error);
-  return !error && fs::file_time_type::clock::now() - written > k_leftover_age;
+  return !error && fs::file_time_type::clock::now() - written > age;
 }
 
 /// Once a folder, since some get thousands of files.

@@ -250,7 +250,7 @@ std::string view_html(const Report& report) {
   if (report.view) html += legend_html(*report.view);
   if (report.view && report.live) html += live_controls_html(*report.live);
   if (report.view) html += controls_html(*report.view);
-  if (!report.not_live.empty()) html += to_html(Text{report.not_live, TextLook::notice});
+  if (!report.live_notice.empty()) html += to_html(Text{report.live_notice, TextLook::notice});
   html += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", html_text(report.still.caption));
   return html;
 }

@@ -15,7 +15,7 @@
 
 namespace moldlight::report {
 
-/// More facets make the page slow to load and to draw.
+/// More facets make the page slow to load and to draw: it gets a coarser mesh.
 inline constexpr std::size_t k_most_live_facets = 500'000;
 /// Areas by maps are counted by so many surface samples (sample_surface_evenly).
 inline constexpr int k_live_samples = 65'536;
@@ -36,7 +36,7 @@ struct LiveError {
 };
 
 struct LiveView {
-  TriangleMesh mesh;
+  TriangleMesh mesh;  // the part's, or a coarser one
   glm::dvec3 centre{0.0};  // of the unit frame, with `diagonal`
   double diagonal = 1.0;
   double total_area = 0.0;

@@ -21,6 +21,7 @@ struct ReportContext {
   const gl::Context* gl = nullptr;  // current; none for a text, which has no pictures
   Palette palette = Palette::paper;
   bool live = false;  // the page is to find the regions of any direction, where the report has that
+  std::size_t most_live_facets = k_most_live_facets;
   std::string version = {}, command = {};  // to repeat it: the program's, and its command line
   TitleFacts title = {};
 

@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "classify/classifier.hpp"
+#include "mesh/coarsened.hpp"
 #include "mold/direction.hpp"
 #include "mold/direction_field.hpp"
 #include "mold/draft.hpp"
@@ -88,13 +89,26 @@ void settle_by_rays(const PartModel& model, const Query& query, const std::vecto
   });
 }
 
-void measure_errors(const ReportContext& context, const std::vector<LiveDirection>& known, LiveView& live) {
-  const PartModel& model = *context.model;
+/// What the page draws: the part, or a coarser one of its shape, whose error is in the measured ones, too.
+std::shared_ptr<const PartModel> drawn_part(const ReportContext& context) {
+  const Part& part = context.model->part;
+  if (part.mesh.facets.size() <= context.most_live_facets) return context.model;
+  Part coarse;
+  coarse.file = part.file;
+  coarse.unit = part.unit;
+  coarse.mesh = coarsened(part.mesh, context.most_live_facets, context.progress);
+  coarse.bodies = {{"", 0, static_cast<FacetIndex>(coarse.mesh.facets.size())}};
+  return prepare_part(std::move(coarse), context.progress);
+}
+
+void measure_errors(const ReportContext& context, const std::shared_ptr<const PartModel>& drawn,
+                    const std::vector<LiveDirection>& known, LiveView& live) {
+  const PartModel& model = *drawn;
   const double total_area = model.geometry.total_area;
   std::set<int> resolutions(k_resolutions.begin(), k_resolutions.end());
   resolutions.insert(live.method.resolution);
   for (const int resolution : resolutions) live.errors.push_back({resolution});
-  PartMaps maps(*context.gl, context.model);
+  PartMaps maps(*context.gl, drawn);
   const SurfaceSamples samples =
       sample_surface_evenly(model.part.mesh, model.geometry, model.frame, k_live_samples);
   SamplePass pass(context.gl->functions());
@@ -106,7 +120,7 @@ void measure_errors(const ReportContext& context, const std::vector<LiveDirectio
                             static_cast<double>(k) / static_cast<double>(directions.size()));
     const Query query{directions[k].direction, live.method};
     if (k >= known.size())
-      directions[k].areas = classify_exact(model, query, Progress(&context.progress)).areas;
+      directions[k].areas = classify_exact(*context.model, query, Progress(&context.progress)).areas;
     for (LiveError& error : live.errors) {
       maps.draw_maps(page_query(model, query, error.resolution));
       std::vector<std::uint8_t> verdicts = pass.run(samples.samples, maps.maps(), Doubt::marked);
@@ -167,27 +181,28 @@ void add_live(const ReportContext& context, const Classification& shown, std::ve
               Report& report) {
   if (!context.live || !context.drawn()) return;
   const PartModel& model = *context.model;
-  if (model.part.mesh.facets.size() > k_most_live_facets) {
-    report.not_live = fmt::format(
-        "The page is not live: the part has {} facets, and {} are the most that a browser draws soon enough.",
-        model.part.mesh.facets.size(), k_most_live_facets);
-    return;
-  }
+  const std::shared_ptr<const PartModel> drawn = drawn_part(context);
+  if (drawn != context.model)
+    report.live_notice = fmt::format(
+        "While the direction moves, the page draws a coarser mesh of {} facets; the part has {}. The stated "
+        "± "
+        "has its error, too.",
+        drawn->part.mesh.facets.size(), model.part.mesh.facets.size());
   const FigureStyle style(model);
   LiveView live;
-  live.mesh = model.part.mesh;
-  live.centre = model.frame.center;
-  live.diagonal = model.frame.diagonal;
-  live.total_area = model.geometry.total_area;
+  live.mesh = drawn->part.mesh;
+  live.centre = drawn->frame.center;
+  live.diagonal = drawn->frame.diagonal;
+  live.total_area = drawn->geometry.total_area;
   live.length_unit = style.unit(FigureKind::length);
   live.area_unit = style.unit(FigureKind::area);
   live.method = shown.settings;
   live.method.readout = Readout::exact;
-  live.lateral = shown.lateral_tolerance / model.frame.diagonal;
+  live.lateral = shown.lateral_tolerance / live.diagonal;
   if (shown.settings.readout != Readout::exact)
     known.front().areas =
         classify_exact(model, {shown.direction, live.method}, Progress(&context.progress)).areas;
-  measure_errors(context, known, live);
+  measure_errors(context, drawn, known, live);
   live.known = std::move(known);
   report.live = std::move(live);
 }

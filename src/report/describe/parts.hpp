@@ -138,7 +138,7 @@ class Illustrator {
 
 /// Makes the report's page live where the context asks for it: adds the part, the exact areas of `known` (the
 /// direction of the view first), and how far areas by shadow maps are off, which is measured along the axes,
-/// between them and along `known`. Says in the report why where the part is too large. Throws Cancelled.
+/// between them and along `known`. A large part is drawn coarser, which the report says. Throws Cancelled.
 void add_live(const ReportContext& context, const Classification& shown, std::vector<LiveDirection> known,
               Report& report);
 

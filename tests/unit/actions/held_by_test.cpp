@@ -40,6 +40,22 @@ TEST(Stem, StandsBeforeAHookAsFarAsTheWallAcrossAllows) {
   }
 }
 
+/// At 150 mm of stroke a lifter travels 2.88 mm at 1.1 degrees and 3.14 at 1.2.
+TEST(Lifter, TravelsAsFarAsEjectorsDriveIt) {
+  const auto at_angle = [](double angle_deg) {
+    ActionSettings settings;
+    settings.lifter_angle_deg = angle_deg;
+    return plan_of(box_with_hook(3.0, 12.0, 0.5), settings);
+  };
+  EXPECT_EQ(actions_text(at_angle(1.2).plan), "1 lifter");
+  const Planned steep = at_angle(1.1);
+  EXPECT_EQ(actions_text(steep.plan), "none");
+  ASSERT_FALSE(steep.plan.rejected.empty());
+  EXPECT_EQ(steep.plan.rejected[0].reason, RejectReason::too_far);
+  EXPECT_NE(rejected_text(*steep.model, steep.plan).find("farther than ejectors drive it"), std::string::npos)
+      << rejected_text(*steep.model, steep.plan);
+}
+
 TEST(Stem, IsNotAskedForAtASectionOfNothing) {
   const Planned planned = hook_with(6.5, 0.0);
   ASSERT_EQ(actions_text(planned.plan), "1 lifter");

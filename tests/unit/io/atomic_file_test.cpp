@@ -1,9 +1,9 @@
 #include "io/atomic_file.hpp"
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <thread>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -27,12 +27,13 @@ std::size_t entries(const ScratchFolder& folder) {
       std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
 }
 
-/// Whether there is a file that this process was writing.
-bool left_by(const ScratchFolder& folder, pid_t process) {
+/// The file that this process was writing, empty without one.
+fs::path left_by(const ScratchFolder& folder, pid_t process) {
   for (const auto& entry : fs::directory_iterator(folder.path())) {
-    if (entry.path().filename().string().find(fmt::format("-{}-", process)) != std::string::npos) return true;
+    if (entry.path().filename().string().find(fmt::format("-{}-", process)) != std::string::npos)
+      return entry.path();
   }
-  return false;
+  return {};
 }
 
 std::string write_error(const std::string& path, std::string_view bytes = "new") {
@@ -65,6 +66,9 @@ TEST(AtomicFile, ReplacesTheTargetOnCommitOnly) {
 TEST(AtomicFile, FilesOfAProgramThatWasKilledGoWithTheNextOne) {
   const ScratchFolder folder;
   const std::string target = folder.file("a.txt");
+  // A child says through a pipe that its file is there, or ends, which closes the pipe.
+  std::array<int, 2> said = {};
+  ASSERT_EQ(::pipe(said.data()), 0);
   const auto write_in_child = [&](bool ends) {
     const pid_t child = ::fork();
     if (child != 0) return child;
@@ -72,20 +76,25 @@ TEST(AtomicFile, FilesOfAProgramThatWasKilledGoWithTheNextOne) {
     file.write("half");
     file.put_on_disk();
     if (ends) ::kill(::getpid(), SIGKILL);
+    static_cast<void>(::write(said[1], "w", 1));
     for (;;) ::pause();
   };
   const pid_t killed = write_in_child(true);
   ASSERT_EQ(::waitpid(killed, nullptr, 0), killed);
   ASSERT_EQ(entries(folder), 1u) << "what it left behind";
   const pid_t writing = write_in_child(false);
-  for (int tries = 0; tries < 500 && (entries(folder) != 1 || left_by(folder, killed)); ++tries)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  EXPECT_FALSE(left_by(folder, killed));
-  EXPECT_TRUE(left_by(folder, writing));
+  ::close(said[1]);
+  char word = 0;
+  ASSERT_EQ(::read(said[0], &word, 1), 1);
+  ::close(said[0]);
+  EXPECT_EQ(left_by(folder, killed), "");
+  const fs::path written = left_by(folder, writing);
+  ASSERT_NE(written, "");
   static_cast<void>(folder.write(".moldlight-0a1b2c3d-1-0.part", "of another machine, a moment ago"));
   static_cast<void>(folder.write(".moldlight-notes.txt", "no such file"));
+  fs::last_write_time(written, fs::file_time_type::clock::now() - std::chrono::hours(1));
   remove_leftovers(folder.path().string());
-  EXPECT_EQ(entries(folder), 3u) << "what is being written stays";
+  EXPECT_EQ(entries(folder), 3u) << "what is being written stays, also while its machine sleeps";
   ::kill(writing, SIGKILL);
   ASSERT_EQ(::waitpid(writing, nullptr, 0), writing);
   remove_leftovers(folder.path().string());
