@@ -20,7 +20,6 @@ struct Contender {
   RankedFigures figures;                              // as measured, or by the score before
   std::shared_ptr<const MeasuredDirection> measured;  // none before
   std::optional<DirectionActions> actions = {};       // once they are found
-  bool whole = false;                                 // with what their bodies allow
   std::optional<MoldCost> cost = {};                  // by rank as molds go, with its actions
   std::optional<BesideDirection> beside = {};
 

@@ -99,6 +99,7 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
     }
     DirectionActions actions = found(detail);
     actions.given_up = actions.totals.unreleased_area > limit.most_left;
+    actions.whole = detail == PlanDetail::whole;
     return actions;
   } catch (const Cancelled&) {
     return std::nullopt;

@@ -30,6 +30,7 @@ struct DirectionActions {
   double formed_area = 0.0;  // of undercuts that the k_most_actions release that form most
   double beyond = 0.0;       // of those that only the others release
   bool given_up = false;     // the search: weight, or what is left, comes to no less than this
+  bool whole = false;        // it is known what their bodies allow
 
   /// "2 slides, 1 lifter"; "none".
   [[nodiscard]] std::string text() const { return actions_text(totals.counts); }

@@ -26,7 +26,7 @@ double angle_deg(const Contender& a, const Contender& b) {
 
 /// Its side actions are known but for what their bodies allow.
 bool is_open(const Contender& contender) {
-  return contender.cost && !contender.whole && contender.actions->weight > 0.0;
+  return contender.cost && !contender.actions->whole && contender.actions->weight > 0.0;
 }
 
 }  // namespace
@@ -105,9 +105,10 @@ void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
   for (std::size_t first = 0; first < open.size() && !tools_.clock.stopped();) {
     tools_.clock.report(sweep_stage::k_actions,
                         static_cast<double>(first) / static_cast<double>(open.size()));
-    // The first sets a limit for others, but where it leaves something unreleased.
-    const std::size_t together = std::isfinite(least_effort_) || first > 0 ? k_together : 1;
-    const auto batch = std::span(open).subspan(first, std::min(together, open.size() - first));
+    // The first sets a limit for others, but where it leaves something unreleased. It is the likeliest to be
+    // the best, whose bodies are asked for in the end.
+    const bool leads = !std::isfinite(least_effort_) && first == 0;
+    const auto batch = std::span(open).subspan(first, std::min(leads ? 1 : k_together, open.size() - first));
     first += batch.size();
     std::vector<glm::dvec3> directions;
     std::vector<ActionLimit> limits;
@@ -116,7 +117,8 @@ void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
       limits.push_back(limit(*contender));
     }
     if (to_the_end) limits.clear();
-    const auto found = tools_.actions.find(directions, limits, tools_.clock);
+    const auto found =
+        tools_.actions.find(directions, limits, tools_.clock, leads ? PlanDetail::whole : PlanDetail::rank);
     std::vector<Contender*> looked_at;
     std::vector<std::shared_ptr<MeasuredDirection>> with_line;
     std::vector<MeasuredDirection*> lines;
@@ -300,7 +302,6 @@ MoldRanking::Listed MoldRanking::confirmed(std::vector<Contender> contenders, st
       Contender& contender = *std::ranges::find_if(contenders, [&](const Contender& each) {
         return is_open(each) && each.candidate.direction == open[k];
       });
-      contender.whole = true;
       contender.actions = found[k];
       contender.figures = tools_.rating.measured(contender.candidate, *contender.measured, contender.actions);
       contender.cost = cost(contender);
