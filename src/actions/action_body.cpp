@@ -50,8 +50,10 @@ class BodyShaper::Maker {
         formed.insert(noted.formed.begin(), noted.formed.end());
     }
     for (std::uint32_t piece = 0; piece < split.pieces.size(); ++piece) {
-      const bool own = plan.action_of_piece[piece] == static_cast<std::int32_t>(number);
-      if (!own && !formed.contains(split.pieces[piece].facet)) continue;
+      const std::int32_t its = plan.action_of_piece[piece];
+      if (its != k_no_action_of_piece ? its != static_cast<std::int32_t>(number)
+                                      : !formed.contains(split.pieces[piece].facet))
+        continue;
       triangles_.push_back(split.pieces[piece].corners);
     }
     if (!action_.about) leave_out_blocked();

@@ -98,9 +98,11 @@ SideAction chosen_action(const ChosenContext& context, const std::vector<Undercu
           release.lifter_turn(std::span(samples).first(std::min(samples.size(), k_turned)), way, axis);
   } else if (is_slide(pull.kind)) {
     const double resolved_deg = context.detail == PlanDetail::whole ? k_exact_turn_deg : k_rank_turn_deg;
-    if (!pull.kept)
+    if (!pull.kept) {
       pull = context.pulls.in_the_middle(samples, {pull.direction, pull.source}, pull.kind, resolved_deg);
-    pull = context.pulls.on_axis(samples, pull);
+      pull = context.pulls.on_part_axis(samples, pull).value_or(pull);
+    }
+    pull = context.pulls.on_file_axis(samples, pull);
     context.pulls.set_travel(deepest(context, undercut_parts, option, samples, pull.direction), k_fine_step,
                              pull);
   }

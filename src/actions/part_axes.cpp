@@ -17,6 +17,7 @@ constexpr double k_upright_sine = 0.02;  // of a wall's lean at most
 constexpr double k_same_turn = 3e-4;     // radians, between walls that face one way
 constexpr double k_least_upright = 0.1;  // of all upright walls: fewer say nothing
 constexpr std::size_t k_most_facings = 3;
+constexpr double k_least_walls = 0.1;  // of the surface
 
 /// Where walls face, by a quarter of a turn: a wall says as much of where it stands along.
 struct Facing {
@@ -111,6 +112,7 @@ PartAxes part_axes(const PartModel& model, const glm::dvec3& direction) {
   const std::array<glm::dvec3, 2> file = {axes.x, axes.y};
   const auto turned = [&](double turn) { return std::cos(turn) * file[0] + std::sin(turn) * file[1]; };
   const double turn = found.empty() ? 0.0 : found.front().turn;
+  axes.by_walls = !found.empty() && found.front().area > k_least_walls * model.geometry.total_area;
   axes.x = turned(turn);
   axes.y = turned(turn + k_quarter);
   constexpr double k_alike = 1e-9;  // leans that rounding alone distinguishes

@@ -18,6 +18,7 @@ struct PartAxes {
   glm::dvec3 centre{0.0};  // of the surface
   glm::dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   double step = 1e-6;              // places that differ by less are the same
+  bool by_walls = false;           // enough of the surface says so
   std::vector<glm::dvec3> across;  // x and y in both senses, and where other upright walls face, the most
                                    // of them first
 };

@@ -27,10 +27,11 @@ constexpr double k_narrow_cost = 5e-4;    // of a pull that may not turn at all,
 constexpr double k_travel_cost = 1e-3;    // of the diagonal, beside the weights
 constexpr double k_way_cost = 0.01;       // likewise: steel of core and cavity that a slide passes through
 constexpr double k_strain_cost = 10.0;    // of a ring that is stretched to twice its size
-constexpr double k_even_cost = 1e-3;      // of a direction that nothing of the part suggests
-constexpr double k_cost_step = 1e-6;      // less is rounding
-constexpr double k_wish_gain = 0.05;      // of a direction of the user's own, off the weights
-constexpr double k_worth_lifting = 1.1;   // what a lifter must free of it, of what a slide does
+constexpr double k_even_cost =
+    1e-3;  // of a direction that nothing of the part suggests, or an axis beside it
+constexpr double k_cost_step = 1e-6;     // less is rounding
+constexpr double k_wish_gain = 0.05;     // of a direction of the user's own, off the weights
+constexpr double k_worth_lifting = 1.1;  // what a lifter must free of it, of what a slide does
 
 std::span<const UndercutSample> few_of(std::span<const UndercutSample> samples) {
   return samples.first(std::min(samples.size(), k_quick_samples));
@@ -49,7 +50,7 @@ double pull_cost(const Pull& pull, const ActionPrices& prices) {
   const double width_deg = pull.interval.to_deg - pull.interval.from_deg;
   const double gain = pull.source == PullSource::wish ? k_wish_gain : 0.0;
   const double strain = pull.kind == ActionKind::strip ? pull.about->strain : 0.0;
-  const double meant = pull.source == PullSource::even ? k_even_cost : 0.0;
+  const double meant = pull.source == PullSource::even || pull.beside_axis ? k_even_cost : 0.0;
   const double cost = prices[static_cast<std::size_t>(pull.kind)] - gain + meant + k_strain_cost * strain +
                       k_way_cost * pull.way + k_travel_cost * pull.travel + k_narrow_cost / (1.0 + width_deg);
   return k_cost_step * std::round(cost / k_cost_step);
@@ -72,7 +73,13 @@ std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
       const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
       if (angle_deg <= above_deg || angle_deg > up_to_deg || is_known(pulls, candidate.direction)) continue;
       if (!release_.releases(samples, candidate.direction, k_never)) continue;
-      pulls.push_back(in_the_middle(samples, candidate, kind, k_compared_turn_deg, tried));
+      Pull middle = in_the_middle(samples, candidate, kind, k_compared_turn_deg, tried);
+      if (std::optional<Pull> laid = on_part_axis(samples, middle)) {
+        estimate_travel(samples, *laid);
+        pulls.push_back(*laid);
+        middle.kept = middle.beside_axis = true;
+      }
+      pulls.push_back(middle);
       estimate_travel(samples, pulls.back());
       // What the part's shape says may suit a neighbour better than the middle.
       if (candidate.source == PullSource::even ||
@@ -127,17 +134,33 @@ Pull PullFinder::in_the_middle(std::span<const UndercutSample> samples, const Pu
   return pull;
 }
 
-Pull PullFinder::on_axis(std::span<const UndercutSample> samples, Pull pull) const {
+std::optional<Pull> PullFinder::laid_on(std::span<const UndercutSample> samples, const Pull& pull,
+                                        const glm::dvec3& axis, double near_deg) const {
+  const double sine = glm::length(glm::cross(pull.direction, axis));
+  if (sine == 0.0 || sine > std::sin(glm::radians(near_deg)) || glm::dot(pull.direction, axis) < 0.0 ||
+      pull.source == PullSource::wish || !release_.releases(samples, axis, k_never))
+    return std::nullopt;
+  Pull laid = pull;
+  const double turn_deg = turn_between(pull.direction, axis, direction_);
+  laid.direction = axis;
+  laid.interval = {pull.interval.from_deg - turn_deg, pull.interval.to_deg - turn_deg};
+  return laid;
+}
+
+std::optional<Pull> PullFinder::on_part_axis(std::span<const UndercutSample> samples,
+                                             const Pull& pull) const {
+  constexpr double k_near_deg = 2.0;
+  if (!axes_.by_walls) return std::nullopt;
+  for (const glm::dvec3& axis : {axes_.x, -axes_.x, axes_.y, -axes_.y})
+    if (std::optional<Pull> laid = laid_on(samples, pull, axis, k_near_deg)) return laid;
+  return std::nullopt;
+}
+
+Pull PullFinder::on_file_axis(std::span<const UndercutSample> samples, const Pull& pull) const {
   constexpr double k_near_deg = 0.1;
   const glm::dvec3 axis = glm::round(pull.direction);
-  const double sine = glm::length(glm::cross(pull.direction, axis));
-  if (glm::dot(axis, axis) != 1.0 || sine == 0.0 || sine > std::sin(glm::radians(k_near_deg)) ||
-      pull.source == PullSource::wish || !release_.releases(samples, axis, k_never))
-    return pull;
-  const double turn_deg = turn_between(pull.direction, axis, direction_);
-  pull.direction = axis;
-  pull.interval = {pull.interval.from_deg - turn_deg, pull.interval.to_deg - turn_deg};
-  return pull;
+  if (glm::dot(axis, axis) != 1.0) return pull;
+  return laid_on(samples, pull, axis, k_near_deg).value_or(pull);
 }
 
 std::optional<PullCandidate> PullFinder::meant_within(const Pull& pull,

@@ -34,6 +34,7 @@ struct Pull {
   std::optional<Revolution> about = {};
   bool for_sharing = false;  // not the best for this undercut alone
   bool kept = false;         // not to be moved to the middle of what is free
+  bool beside_axis = false;  // an axis of the part is near, along which it is released, too
   /// Of a lifter that cannot be built.
   struct Lack {
     RejectReason reason = RejectReason::no_room;
@@ -122,8 +123,12 @@ class PullFinder {
   [[nodiscard]] Pull in_the_middle(std::span<const UndercutSample> samples, const PullCandidate& candidate,
                                    ActionKind kind, double resolved_deg,
                                    std::span<const PullCandidate> others = {}) const;
-  /// The pull along an axis of the file instead, if one is within 0.1 degrees and releases the samples, too.
-  [[nodiscard]] Pull on_axis(std::span<const UndercutSample> samples, Pull pull) const;
+  /// The pull along an axis of the part instead, if one across the parting direction is within 2 degrees and
+  /// releases the samples, too: nobody builds a slide that leans by less but where it has to.
+  [[nodiscard]] std::optional<Pull> on_part_axis(std::span<const UndercutSample> samples,
+                                                 const Pull& pull) const;
+  /// Likewise along an axis of the file, within 0.1 degrees; the pull itself where none is.
+  [[nodiscard]] Pull on_file_axis(std::span<const UndercutSample> samples, const Pull& pull) const;
   /// The travel beyond which the part passes, on the side on which it is shorter, to a step of so much; and
   /// the way out.
   void set_travel(std::span<const UndercutSample> samples, double step, Pull& pull) const;
@@ -144,6 +149,8 @@ class PullFinder {
                                                std::span<const PullCandidate> tried) const;
   [[nodiscard]] std::optional<PullCandidate> meant_within(const Pull& pull,
                                                           std::span<const PullCandidate> others) const;
+  [[nodiscard]] std::optional<Pull> laid_on(std::span<const UndercutSample> samples, const Pull& pull,
+                                            const glm::dvec3& axis, double near_deg) const;
   void set_lack(FreeLengths& lengths, Pull& lifter, bool with_stem = true) const;
   /// The lifter that clears most of the samples with its room, more than `least` of their area; none where
   /// there is none. Its travel is one at which it does.

@@ -55,6 +55,7 @@ struct Hole {
   double depth = 14.0, radius = 5.0;
   int sides = 32;
   double turn_deg = 0.0;
+  double lean_deg = 0.0;  // of its axis, towards +y
 };
 
 /// A block with a hole from its +z face, wider there by the draft.
@@ -63,7 +64,8 @@ inline TriangleMesh block_with_hole(const Hole& hole) {
   const double depth = hole.through ? high.z : hole.depth;
   const double narrow = hole.radius - depth * std::tan(glm::radians(hole.draft_deg));
   const Loop2 outer = regular_polygon(hole.sides, hole.radius, hole.turn_deg);
-  const Loop2 inner = regular_polygon(hole.sides, narrow, hole.turn_deg);
+  Loop2 inner = regular_polygon(hole.sides, narrow, hole.turn_deg);
+  for (glm::dvec2& corner : inner) corner.y -= depth * std::tan(glm::radians(hole.lean_deg));
   SolidBuilder solid;
   if (hole.through) {
     solid.box(low, high, {4, 5});
@@ -243,6 +245,24 @@ inline TriangleMesh spool(int sides, double turn_deg) {
   solid.walls(at_height(flange, 17.0), at_height(flange, 20.0));
   solid.face(at_height(flange, 20.0), {at_height(bore, 20.0)});
   solid.walls(at_height(reversed(bore), 0.0), at_height(reversed(bore), 20.0));
+  return solid.mesh();
+}
+
+/// A pocket in either end of a block, and a bore through the wall between, nearer to the lower end.
+inline TriangleMesh block_with_pockets_and_bore() {
+  const glm::dvec3 low(-14, -12, 0), high(14, 12, 27);
+  const Loop2 pocket = {{-10, -8}, {10, -8}, {10, 8}, {-10, 8}}, bore = regular_polygon(24, 3.0);
+  const Loop2 in_pocket(pocket.rbegin(), pocket.rend()), in_bore(bore.rbegin(), bore.rend());
+  const double under = 3.0, over = 4.5;  // the wall
+  SolidBuilder solid;
+  solid.box(low, high, {4, 5});
+  solid.face(box_face(low, high, 4), {at_height(pocket, low.z)});
+  solid.face(box_face(low, high, 5), {at_height(pocket, high.z)});
+  solid.walls(at_height(in_pocket, low.z), at_height(in_pocket, under));
+  solid.walls(at_height(in_pocket, over), at_height(in_pocket, high.z));
+  solid.face(at_height(in_pocket, under), {at_height(bore, under)});
+  solid.face(at_height(pocket, over), {at_height(bore, over)});
+  solid.walls(at_height(in_bore, under), at_height(in_bore, over));
   return solid.mesh();
 }
 

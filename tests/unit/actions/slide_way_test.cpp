@@ -79,5 +79,31 @@ TEST(SlideWay, OfASpoolIsTwoOppositeSlidesOnAnAxis) {
   }
 }
 
+/// A hole of 14 that leans by 0.1 degrees is 0.02 in the way of a slide along the part's axis, less than
+/// twice the lateral tolerance; by 0.4 degrees it is 0.1, and the body of such a slide would hit.
+TEST(SlideWay, LiesOnThePartsAxisUnlessItsBodyHits) {
+  for (const double azimuth_deg : {0.0, 31.0}) {
+    for (const double lean_deg : {0.0, 0.1, 0.4, 0.8, 1.5, 5.0}) {
+      const Planned planned = plan_of(laid(block_with_hole({.lean_deg = lean_deg}), azimuth_deg));
+      ASSERT_EQ(actions_text(planned.plan), "1 slide") << lean_deg;
+      const glm::dvec3& way = planned.plan.actions[0].direction;
+      const double off_deg = glm::degrees(std::atan2(way.y, way.x)) - azimuth_deg;
+      EXPECT_NEAR(off_deg, lean_deg < 0.2 ? 0.0 : lean_deg, 1e-3) << lean_deg;
+    }
+  }
+}
+
+/// The bore belongs to one of two opposite slides, which meet at its end.
+TEST(SlideWay, OppositeSlidesMeetAtTheEndOfABore) {
+  const Planned planned = plan_of(block_with_pockets_and_bore(), {}, {1, 0, 0});
+  EXPECT_EQ(actions_text(planned.plan), "2 slides");
+  EXPECT_EQ(planned.plan.unreleased_area, 0.0);
+  for (const SideAction& action : planned.plan.actions) {
+    EXPECT_NEAR(std::abs(action.direction.z), 1.0, 1e-12);
+    ASSERT_TRUE(action.body);
+    EXPECT_FALSE(action.body->hit);
+  }
+}
+
 }  // namespace
 }  // namespace moldlight
