@@ -29,9 +29,10 @@ constexpr double k_way_cost = 0.01;       // likewise: steel of core and cavity 
 constexpr double k_strain_cost = 10.0;    // of a ring that is stretched to twice its size
 constexpr double k_even_cost =
     1e-3;  // of a direction that nothing of the part suggests, or an axis beside it
-constexpr double k_cost_step = 1e-6;     // less is rounding
-constexpr double k_wish_gain = 0.05;     // of a direction of the user's own, off the weights
-constexpr double k_worth_lifting = 1.1;  // what a lifter must free of it, of what a slide does
+constexpr double k_cost_step = 1e-6;           // less is rounding
+constexpr double k_wish_gain = 0.05;           // of a direction of the user's own, off the weights
+constexpr double k_worth_leaving_axis = 1.02;  // likewise, what another slide must
+constexpr double k_worth_lifting = 1.1;        // what a lifter must free of it, of what a slide does
 
 std::span<const UndercutSample> few_of(std::span<const UndercutSample> samples) {
   return samples.first(std::min(samples.size(), k_quick_samples));
@@ -243,12 +244,16 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
       set_lack(lengths, found.back(), false);
     }
   }
-  // One that nothing of the part suggests is worth its while if it is shorter by more than what samples show.
-  constexpr double k_even_longer = 1.05;
-  std::ranges::stable_sort(found, {}, [](const Pull& pull) {
-    return std::pair(pull.source != PullSource::wish,
-                     (pull.source == PullSource::even ? k_even_longer : 1.0) * pull.travel);
-  });
+  // One that nothing of the part suggests is worth its while if it is shorter by more than what samples show;
+  // along an axis of the part one may travel a quarter farther.
+  constexpr double k_even_longer = 1.05, k_axis_longer = 1.25;
+  const auto rated = [&](const Pull& pull) {
+    const double worth = is_axis(pull.direction)           ? 1.0 / k_axis_longer
+                         : pull.source == PullSource::even ? k_even_longer
+                                                           : 1.0;
+    return std::pair(pull.source != PullSource::wish, worth * pull.travel);
+  };
+  std::ranges::stable_sort(found, {}, rated);
   std::vector<Pull> pulls;
   for (const bool good : {true, false}) {
     std::size_t number = 0, tries = 0;
@@ -472,9 +477,11 @@ std::optional<Pull> PullFinder::most_freeing(std::span<const UndercutSample> sam
     const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
     const ActionKind kind = angle_deg <= settings_.slide_angle_deg ? ActionKind::slide : ActionKind::inclined;
     if (angle_deg > settings_.incline_deg || (only && only != kind)) continue;
-    // Of equal ones that which comes first: it is better meant.
-    const double freed = release_.free_area(samples, candidate.direction, k_never, most);
-    if (freed <= most * (1.0 + 1e-9)) continue;
+    // Of equal ones that which comes first: it is better meant. An axis of the part gives way to what frees
+    // more than a hair.
+    const double least = (best && is_axis(best->direction) ? k_worth_leaving_axis : 1.0 + 1e-9) * most;
+    const double freed = release_.free_area(samples, candidate.direction, k_never, least);
+    if (freed <= least) continue;
     most = freed;
     best = {.kind = kind, .direction = candidate.direction, .source = PullSource::exact};
   }
