@@ -91,6 +91,38 @@ TEST(RealParts, ClipHasThreeSlidesOfWhichTwoAreOne) {
   EXPECT_TRUE(apart.plan.unreleased.empty());
 }
 
+struct KnownSlides {
+  const char* name;
+  glm::dvec3 direction;
+  const char* set;
+  bool all;  // nothing is left unreleased
+};
+
+/// As many slides as there are sides to leave to, along the axes that the parts' walls stand along.
+TEST(RealParts, SlidesStandSquareToTheWalls) {
+  std::vector<std::pair<std::filesystem::path, KnownSlides>> rows = {
+      {shipped("enclosure_lid.stl"), {"lid", {0, 1, 0}, "1 slide", false}}};
+  const auto shared = test::shared_folder();
+  if (shared) {
+    for (const KnownSlides& known : {KnownSlides{"m5_base26_main.stl", {1, 0, 0}, "2 slides", true},
+                                     KnownSlides{"m5_base26_main.stl", {0, 1, 0}, "2 slides", true},
+                                     KnownSlides{"odri_hip_cover_64k.stl", {0, 1, 0}, "2 slides", true},
+                                     KnownSlides{"m5_rfid2_face_shell.stl", {1, 0, 0}, "1 slide", false}})
+      rows.emplace_back(*shared / "parts" / known.name, known);
+  }
+  for (const auto& [path, known] : rows) {
+    SCOPED_TRACE(known.name);
+    const RealPlan real = plan_of(path, {}, known.direction);
+    EXPECT_EQ(actions_text(real.plan), known.set);
+    EXPECT_EQ(real.plan.unreleased.empty(), known.all);
+    for (const SideAction& action : real.plan.actions) {
+      EXPECT_NEAR(std::abs(action.direction.z), 1.0, 1e-12);
+      EXPECT_TRUE(action.body && !action.body->hit);
+    }
+  }
+  RecordProperty("parts", static_cast<int>(rows.size()));
+}
+
 /// A sweep that looks for no side actions counts the undercuts that their list would have.
 TEST(RealParts, UndercutsAreCountedAlikeWithAndWithoutSideActions) {
   std::vector<std::filesystem::path> paths;
