@@ -182,7 +182,7 @@ class LeastSet {
   }
 
   /// What moves the same way and forms as much, or more, hits the part, too. What it forms elsewhere than
-  /// where it hits may do without that, or without most of its surface.
+  /// where it hits may do without that.
   void give_up_alike(const Draft& draft, std::size_t k) {
     const std::vector<std::size_t>& formed = draft.undercut_parts[k];
     const Pull pull = options_[draft.options[k]].pull;
@@ -203,14 +203,9 @@ class LeastSet {
       }
       return nearest;
     };
-    const std::size_t nearest = *std::ranges::min_element(formed, {}, from_its_way);
-    const std::size_t largest =
-        *std::ranges::max_element(formed, {}, [&](std::size_t part) { return undercut_parts_[part].area(); });
-    for (const std::size_t out : std::set{nearest, largest}) {
-      std::vector<std::size_t> others = formed;
-      std::erase(others, out);
-      add({{pull, std::move(others)}});
-    }
+    std::vector<std::size_t> others = formed;
+    others.erase(std::ranges::min_element(others, {}, from_its_way));
+    add({{pull, std::move(others)}});
   }
 
   /// Of the options that are left.

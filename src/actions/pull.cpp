@@ -244,16 +244,12 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
       set_lack(lengths, found.back(), false);
     }
   }
-  // One that nothing of the part suggests is worth its while if it is shorter by more than what samples show;
-  // along an axis of the part one may travel a quarter farther.
-  constexpr double k_even_longer = 1.05, k_axis_longer = 1.25;
-  const auto rated = [&](const Pull& pull) {
-    const double worth = is_axis(pull.direction)           ? 1.0 / k_axis_longer
-                         : pull.source == PullSource::even ? k_even_longer
-                                                           : 1.0;
-    return std::pair(pull.source != PullSource::wish, worth * pull.travel);
-  };
-  std::ranges::stable_sort(found, {}, rated);
+  // One that nothing of the part suggests is worth its while if it is shorter by more than what samples show.
+  constexpr double k_even_longer = 1.05;
+  std::ranges::stable_sort(found, {}, [](const Pull& pull) {
+    return std::pair(pull.source != PullSource::wish,
+                     (pull.source == PullSource::even ? k_even_longer : 1.0) * pull.travel);
+  });
   std::vector<Pull> pulls;
   for (const bool good : {true, false}) {
     std::size_t number = 0, tries = 0;
