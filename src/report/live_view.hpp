@@ -36,7 +36,7 @@ struct LiveError {
 };
 
 struct LiveView {
-  TriangleMesh mesh;  // the part's, or a coarser one
+  TriangleMesh mesh;       // the part's, or a coarser one
   glm::dvec3 centre{0.0};  // of the unit frame, with `diagonal`
   double diagonal = 1.0;
   double total_area = 0.0;
