@@ -27,12 +27,11 @@ constexpr double k_narrow_cost = 5e-4;    // of a pull that may not turn at all,
 constexpr double k_travel_cost = 1e-3;    // of the diagonal, beside the weights
 constexpr double k_way_cost = 0.01;       // likewise: steel of core and cavity that a slide passes through
 constexpr double k_strain_cost = 10.0;    // of a ring that is stretched to twice its size
-constexpr double k_even_cost =
-    1e-3;  // of a direction that nothing of the part suggests, or an axis beside it
-constexpr double k_cost_step = 1e-6;           // less is rounding
-constexpr double k_wish_gain = 0.05;           // of a direction of the user's own, off the weights
-constexpr double k_worth_leaving_axis = 1.02;  // likewise, what another slide must
+constexpr double k_even_cost = 1e-3;  // of a direction that the part does not suggest, or but beside its axis
+constexpr double k_cost_step = 1e-6;  // less is rounding
+constexpr double k_wish_gain = 0.05;  // of a direction of the user's own, off the weights
 constexpr double k_worth_lifting = 1.1;        // what a lifter must free of it, of what a slide does
+constexpr double k_worth_leaving_axis = 1.02;  // what another slide must, of what one along an axis does
 
 std::span<const UndercutSample> few_of(std::span<const UndercutSample> samples) {
   return samples.first(std::min(samples.size(), k_quick_samples));

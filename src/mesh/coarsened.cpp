@@ -1,6 +1,8 @@
 #include "mesh/coarsened.hpp"
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -17,6 +19,8 @@ namespace {
 
 /// Facets of a vertex beyond which it stays: what a collapse there costs grows with their square.
 constexpr unsigned k_most_around = 32;
+constexpr std::size_t k_a_report = 4096;  // facets, or collapses that are weighed
+constexpr std::string_view k_stage = "coarsening";
 
 struct DoubleTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -24,28 +28,43 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 };
 using CollapsibleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 
-class Watch final : public OpenMesh::Decimater::Observer {
+/// Forbids nothing, but hears that the work is cancelled, and tells how much of it is done.
+template <typename Mesh_>
+class Watch final : public OpenMesh::Decimater::ModBaseT<Mesh_> {
  public:
-  explicit Watch(const Progress& progress) : OpenMesh::Decimater::Observer(1024), progress_(progress) {}
-  void notify(std::size_t) override {}
-  [[nodiscard]] bool abort() const override { return progress_.cancelled(); }
+  DECIMATING_MODULE(Watch, Mesh_, Watch)
+  explicit Watch(Mesh& mesh) : Base(mesh, true) {}
+  void tell(const Progress& progress, std::size_t facets_to_go) {
+    progress_ = &progress;
+    collapses_to_go_ = 0.5 * static_cast<double>(facets_to_go);
+  }
+  float collapse_priority(const CollapseInfo&) override {
+    if (++asked_ % k_a_report == 0)
+      progress_->report(k_stage, std::min(1.0, static_cast<double>(collapses_) / collapses_to_go_));
+    return Base::LEGAL_COLLAPSE;
+  }
+  void postprocess_collapse(const CollapseInfo&) override { ++collapses_; }
 
  private:
-  const Progress& progress_;
+  const Progress* progress_ = nullptr;
+  double collapses_to_go_ = 1.0;
+  std::size_t asked_ = 0, collapses_ = 0;
 };
 
 /// Facets that OpenMesh refuses, as their edges are not those of a manifold, stand alone on vertices of their
 /// own.
-CollapsibleMesh collapsible(const TriangleMesh& mesh) {
+CollapsibleMesh collapsible(const TriangleMesh& mesh, const Progress& progress) {
   CollapsibleMesh open;
   open.request_vertex_status();
   open.request_edge_status();
   open.request_halfedge_status();
   open.request_face_status();
   open.request_face_normals();
-  omerr().disable();
+  omerr().disable();  // likewise where half-edges are built (mesh/adjacency.cpp)
   for (const glm::dvec3& vertex : mesh.vertices) open.add_vertex({vertex.x, vertex.y, vertex.z});
+  std::size_t taken = 0;
   for (const auto& facet : mesh.facets) {
+    if (++taken % k_a_report == 0) progress.report(k_stage, 0.0);
     std::array<OpenMesh::VertexHandle, 3> corners;
     for (const std::size_t corner : {0, 1, 2})
       corners[corner] = OpenMesh::VertexHandle(static_cast<int>(facet[corner]));
@@ -56,7 +75,6 @@ CollapsibleMesh collapsible(const TriangleMesh& mesh) {
     }
     open.add_face(corners[0], corners[1], corners[2]);
   }
-  omerr().enable();
   for (const auto vertex : open.vertices())
     if (open.is_boundary(vertex) || open.valence(vertex) > k_most_around)
       open.status(vertex).set_locked(true);
@@ -68,18 +86,18 @@ CollapsibleMesh collapsible(const TriangleMesh& mesh) {
 
 TriangleMesh coarsened(const TriangleMesh& mesh, std::size_t facets, const Progress& progress) {
   if (mesh.facets.size() <= facets) return mesh;
-  progress.report("coarsening", 0.0);
-  CollapsibleMesh open = collapsible(mesh);
+  progress.report(k_stage, 0.0);
+  CollapsibleMesh open = collapsible(mesh, progress);
   OpenMesh::Decimater::DecimaterT<CollapsibleMesh> decimater(open);
   OpenMesh::Decimater::ModQuadricT<CollapsibleMesh>::Handle quadric;
   OpenMesh::Decimater::ModNormalFlippingT<CollapsibleMesh>::Handle flipping;
   decimater.add(quadric);
   decimater.add(flipping);
-  Watch watch(progress);
-  decimater.set_observer(&watch);
+  Watch<CollapsibleMesh>::Handle watch;
+  decimater.add(watch);
+  decimater.module(watch).tell(progress, mesh.facets.size() - facets);
   decimater.initialize();
   decimater.decimate_to_faces(0, facets);
-  if (progress.cancelled()) throw Cancelled();
   std::vector<glm::dvec3> corners;
   for (const auto face : open.faces()) {
     for (const auto vertex : face.vertices()) {

@@ -139,7 +139,7 @@ struct Report {
   Picture still;                         // what stands for the view where there is none
   std::optional<ModelView> view;
   std::optional<LiveView> live;  // of the same part and direction as `view`
-  std::string live_notice;       // what it lacks
+  std::string live_notice;       // where it draws a coarser mesh
   std::vector<Section> sections;
 
   /// The sentences below the verdict as one paragraph.

@@ -1,6 +1,6 @@
 // What a live page gets of a part with too many facets: fewer of them, and an error that has what they are
 // off.
-#include <cmath>
+#include <algorithm>
 
 #include <gtest/gtest.h>
 
@@ -24,13 +24,6 @@ report::Report live_report(const std::shared_ptr<const PartModel>& model, std::s
                                  study);
 }
 
-double greatest_share(const RegionValues& a, const RegionValues& b, double total) {
-  double greatest = 0.0;
-  for (const Region region : k_regions)
-    greatest = std::max(greatest, std::abs(a[region] - b[region]) / total);
-  return greatest;
-}
-
 TEST(LiveReport, OfManyFacetsHasFewerAndSaysWhatTheyAreOff) {
   const auto model = test::model_of(test::torus_mesh(20.0, 6.0, 80, 40));
   const std::size_t facets = model->part.mesh.facets.size();
@@ -50,8 +43,7 @@ TEST(LiveReport, OfManyFacetsHasFewerAndSaysWhatTheyAreOff) {
   for (int k = 0; k < 30; ++k) {
     const Query query{Direction(random.in_cube(1.0)), {}};
     const RegionValues exact = classify_exact(*model, query, Progress()).areas;
-    const RegionValues off = classify_exact(*drawn, query, Progress()).areas;
-    worst = std::max(worst, greatest_share(off, exact, model->geometry.total_area));
+    worst = std::max(worst, test::worst_region_error(classify_exact(*drawn, query, Progress()), exact));
   }
   EXPECT_LT(worst, stated);
   EXPECT_GT(worst, 0.05 * stated) << "the coarser mesh is off";

@@ -21,8 +21,8 @@ struct ReportContext {
   const gl::Context* gl = nullptr;  // current; none for a text, which has no pictures
   Palette palette = Palette::paper;
   bool live = false;  // the page is to find the regions of any direction, where the report has that
-  std::size_t most_live_facets = k_most_live_facets;
-  std::string version = {}, command = {};  // to repeat it: the program's, and its command line
+  std::size_t most_live_facets = k_most_live_facets;  // a page of more draws a coarser mesh
+  std::string version = {}, command = {};             // to repeat it: the program's, and its command line
   TitleFacts title = {};
 
   /// For pages, with all sections.

@@ -184,9 +184,8 @@ void add_live(const ReportContext& context, const Classification& shown, std::ve
   const std::shared_ptr<const PartModel> drawn = drawn_part(context);
   if (drawn != context.model)
     report.live_notice = fmt::format(
-        "While the direction moves, the page draws a coarser mesh of {} facets; the part has {}. The stated "
-        "± "
-        "has its error, too.",
+        "Along directions other than the report's the page draws a coarser mesh of {} facets; the part has "
+        "{}. The stated ± has its error, too.",
         drawn->part.mesh.facets.size(), model.part.mesh.facets.size());
   const FigureStyle style(model);
   LiveView live;

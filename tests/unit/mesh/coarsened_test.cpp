@@ -2,7 +2,9 @@
 #include "mesh/coarsened.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -69,10 +71,25 @@ TEST(Coarsened, BordersAndEdgesOfThreeFacetsStay) {
   EXPECT_NEAR(after.area, before.area, 1e-9 * before.area);
 }
 
-TEST(Coarsened, CanBeCancelled) {
-  Progress progress;
-  progress.cancel();
-  EXPECT_THROW(static_cast<void>(coarsened(test::hollow_sphere({}).mesh, 100, progress)), Cancelled);
+TEST(Coarsened, TellsHowFarItIsAndCanBeCancelledThere) {
+  const TriangleMesh fine = test::refined(test::ring({}), 20'000).mesh;
+  for (const double until : {0.0, 0.5, 2.0}) {
+    double last = -1.0;
+    std::unique_ptr<Progress> progress;
+    progress = std::make_unique<Progress>([&](std::string_view, double fraction) {
+      EXPECT_GE(fraction, last);
+      EXPECT_LE(fraction, 1.0);
+      last = fraction;
+      if (fraction >= until) progress->cancel();
+    });
+    if (until < 1.0) {
+      EXPECT_THROW(static_cast<void>(coarsened(fine, 2000, *progress)), Cancelled);
+      EXPECT_LT(last, until + 0.2);
+    } else {
+      EXPECT_LE(coarsened(fine, 2000, *progress).facets.size(), 2000U);
+      EXPECT_GT(last, 0.8);
+    }
+  }
 }
 
 }  // namespace
