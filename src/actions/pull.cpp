@@ -244,10 +244,12 @@ std::vector<Pull> PullFinder::find_lifters(std::span<const UndercutSample> sampl
     }
   }
   // One that nothing of the part suggests is worth its while if it is shorter by more than what samples show.
-  constexpr double k_even_longer = 1.05;
-  std::ranges::stable_sort(found, {}, [](const Pull& pull) {
-    return std::pair(pull.source != PullSource::wish,
-                     (pull.source == PullSource::even ? k_even_longer : 1.0) * pull.travel);
+  // Likewise one off the axes of the part.
+  constexpr double k_even_longer = 1.05, k_off_axis_longer = 1.05;
+  std::ranges::stable_sort(found, {}, [&](const Pull& pull) {
+    const double even = pull.source == PullSource::even ? k_even_longer : 1.0;
+    const double off_axis = is_axis(pull.direction) ? 1.0 : k_off_axis_longer;
+    return std::pair(pull.source != PullSource::wish, even * off_axis * pull.travel);
   });
   std::vector<Pull> pulls;
   for (const bool good : {true, false}) {
