@@ -99,9 +99,12 @@ class BodyShaper::Maker {
     return solids;
   }
 
+  [[nodiscard]] bool thins() const { return thins_; }
+
   std::optional<TriangleMesh> make(double thickness) {
     if (triangles_.empty() || action_.kind == ActionKind::strip) return std::nullopt;
     OpenSurface surface = surface_of_triangles();
+    thins_ = false;
     if (action_.kind == ActionKind::unscrew) return solid_between(surface, toward_axis(surface));
     const bool leaves = is_slide(action_.kind);
     const double diagonal = model_.frame.diagonal;
@@ -122,7 +125,9 @@ class BodyShaper::Maker {
     const glm::dvec3 way = length * (action_.direction + k_lean * normal);
     TriangleMesh solid = solid_between(surface, shifted(surface, way));
     const double area = total_area(surface.mesh);
+    thins_ = !leaves;
     if (signed_volume(solid) > k_flat * std::pow(area, 1.5)) return solid;
+    thins_ = true;
     // It gets its thickness off the surface.
     std::vector<glm::dvec3> image = surface.mesh.vertices;
     const std::vector<glm::dvec3> curved = vertex_normals(surface.mesh);
@@ -385,6 +390,7 @@ class BodyShaper::Maker {
   Release release_;
   std::vector<std::array<VertexIndex, 3>> triangles_;  // with caps
   double whole_ = 0.0, lost_ = 0.0;                    // area at first, and what of it was left out since
+  bool thins_ = false;                                 // what was made last
   std::vector<glm::dvec3> hits_;                       // for which it was
 };
 
@@ -394,6 +400,7 @@ BodyShaper::BodyShaper(const PartModel& model, const SplitMesh& split, const Exa
 BodyShaper::~BodyShaper() = default;
 
 std::optional<TriangleMesh> BodyShaper::shape(double thickness) { return maker_->make(thickness); }
+bool BodyShaper::thins() const { return maker_->thins(); }
 std::vector<TriangleMesh> BodyShaper::stems() const { return maker_->stems(); }
 bool BodyShaper::leave_out(std::span<const glm::dvec3> points) { return maker_->leave_out(points); }
 

@@ -27,6 +27,9 @@ class BodyShaper {
   /// With this share (0, 1] of the usual thickness, where it is a slice, without stems. Nothing for what is
   /// stripped off, which has no body of its own.
   [[nodiscard]] std::optional<TriangleMesh> shape(double thickness);
+  /// Whether the last shape would be another one with another share: not what reaches out of the mold, or
+  /// round a thread.
+  [[nodiscard]] bool thins() const;
   /// The stems of a lifter, each from its head down to below the part.
   [[nodiscard]] std::vector<TriangleMesh> stems() const;
   /// Leaves out the surface from which these points of the body come, at which it is in the part. False, with

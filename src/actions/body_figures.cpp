@@ -418,21 +418,18 @@ struct BodyPlayer::Shape {
     if (times < solids.size()) return &solids[times];
     if (done) return nullptr;
     auto mesh = shaper->shape(std::exp2(-static_cast<double>(solids.size())));
+    done = !mesh || !shaper->thins() || solids.size() + 1 == k_most;
+    if (!mesh) return nullptr;
     const glm::dvec3& way = action.kind == ActionKind::unscrew ? action.about->direction : action.direction;
-    SurfacePoints all;
-    if (mesh) {
-      all = lattice_points(*mesh, way, direction, points);
-      for (const TriangleMesh& stem : shaper->stems()) {
-        append(stem, *mesh);
-        const SurfacePoints its = lattice_points(stem, way, direction, points / k_of_stem);
-        all.few.insert(all.few.end(), its.few.begin(), its.few.end());
-        all.others.insert(all.others.end(), its.others.begin(), its.others.end());
-      }
+    SurfacePoints all = lattice_points(*mesh, way, direction, points);
+    for (const TriangleMesh& stem : shaper->stems()) {
+      append(stem, *mesh);
+      const SurfacePoints its = lattice_points(stem, way, direction, points / k_of_stem);
+      all.few.insert(all.few.end(), its.few.begin(), its.few.end());
+      all.others.insert(all.others.end(), its.others.begin(), its.others.end());
     }
-    // What reaches out of the mold, or round a thread, is as thick as it must be.
-    done = !mesh || solids.size() + 1 == k_most ||
-           (!solids.empty() && signed_volume(*mesh) == signed_volume(solids.back().model->part.mesh));
-    if (!mesh || (done && solids.size() + 1 < k_most)) return nullptr;
+    done = done || (!solids.empty() && signed_volume(*mesh) == signed_volume(solids.back().model->part.mesh));
+    if (done && shaper->thins() && solids.size() + 1 < k_most) return nullptr;
     Part part;
     part.mesh = std::move(*mesh);
     PlayedBody& solid = solids.emplace_back(PlayedBody{prepare_part(std::move(part), Progress())});
