@@ -429,7 +429,10 @@ std::vector<FreedPart> PullFinder::split(std::span<const UndercutSample> samples
 std::vector<FreedPart> PullFinder::opposite_slides(std::span<const UndercutSample> samples,
                                                    std::span<const PullCandidate> tried) const {
   const double whole = area_of(samples);
-  for (const PullCandidate& candidate : tried) {
+  std::vector<PullCandidate> lines;
+  if (axes_.by_walls) lines = {{axes_.x, PullSource::part}, {axes_.y, PullSource::part}};
+  lines.insert(lines.end(), tried.begin(), tried.end());
+  for (const PullCandidate& candidate : lines) {
     if (std::abs(elevation_deg(candidate.direction, direction_)) > k_same_elevation_deg) continue;
     std::array<FreedPart, 2> parts;
     double blocked = 0.0;

@@ -156,7 +156,8 @@ class PullFinder {
   /// there is none. Its travel is one at which it does.
   [[nodiscard]] std::optional<Pull> most_clearing(std::span<const UndercutSample> samples,
                                                   std::span<const PullCandidate> tried, double least) const;
-  /// Two slides on one line, if they free all of it: of the first such line among those that are tried.
+  /// Two slides on one line, if they free all of it: of the first such line among the part's axes and those
+  /// that are tried.
   [[nodiscard]] std::vector<FreedPart> opposite_slides(std::span<const UndercutSample> samples,
                                                        std::span<const PullCandidate> tried) const;
   /// The slide that frees most, more than `most`, which becomes the area that it frees; none where there is
