@@ -25,11 +25,14 @@ MethodSettings moving_method(const MethodSettings& settings, double diagonal) {
 }
 
 void PictureMaps::draw_moving(const Query& query) {
-  const Query moving{query.direction, moving_method(query.method, model_->frame.diagonal)};
-  if (context_->draws_on_cpu() && moving.method.kernel_shape == KernelShape::one_sided) {
-    scan(moving);
+  draw_quickly({query.direction, moving_method(query.method, model_->frame.diagonal)});
+}
+
+void PictureMaps::draw_quickly(const Query& query) {
+  if (context_->draws_on_cpu() && query.method.kernel_shape == KernelShape::one_sided) {
+    scan(query);
   } else {
-    draw_resting(moving);
+    draw_resting(query);
   }
 }
 
@@ -58,7 +61,8 @@ void PictureMaps::scan(const Query& query) {
   const MethodSettings& settings = query.method;
   const TriangleMesh& mesh = model_->part.mesh;
   if (positions_.empty()) positions_ = unit_positions(mesh, model_->frame);
-  if (!scanned_ || scanned_->resolution() != settings.resolution) scanned_.emplace(settings.resolution);
+  if (!scanned_) scanned_.emplace(settings.resolution);
+  if (scanned_->resolution() != settings.resolution) scanned_->set_resolution(settings.resolution);
   const MapFrame frame = map_frame(query.direction.unit());
   direction_ = frame.z;
   const MapSettings map = map_settings(settings, model_->frame.diagonal);

@@ -21,7 +21,7 @@ namespace moldlight {
 
 /// The maps, and the split surface.
 ///
-/// Where the GL draws on the processor, our own scan converter makes the maps of a moving direction, which
+/// Where the GL draws on the processor, our own scan converter makes the maps that are wanted quickly, which
 /// takes a fraction of the time.
 class PictureMaps : PartMaps {
  public:
@@ -29,6 +29,7 @@ class PictureMaps : PartMaps {
 
   /// Draws the maps. Throws UsageError for settings that make no sense, Error where the GL fails.
   void draw_moving(const Query& query);
+  void draw_quickly(const Query& query);
   void draw_resting(const Query& query);
 
   /// Takes the exact regions, for pictures of a direction at rest; `view` is the part's.

@@ -39,8 +39,9 @@ int floor_of(double columns) {
 
 }  // namespace
 
-SecondDepthMaps::SecondDepthMaps(int resolution) : resolution_(resolution) {
+void SecondDepthMaps::set_resolution(int resolution) {
   CHECK(resolution >= 16 && resolution <= 8192);
+  resolution_ = resolution;
   const std::size_t texels = static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution);
   for (auto& map : maps_) map.resize(texels);
   for (auto& facets : facets_) facets.resize(texels);

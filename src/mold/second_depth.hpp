@@ -29,7 +29,9 @@ struct SecondDepthPart {
 class SecondDepthMaps {
  public:
   /// `resolution` texels along a side, [16, 8192]; takes 24 bytes a texel.
-  explicit SecondDepthMaps(int resolution);
+  explicit SecondDepthMaps(int resolution) { set_resolution(resolution); }
+  /// Of what is drawn next; room that is there is kept.
+  void set_resolution(int resolution);
 
   /// `classes`: of the facets, for the frame's direction; `edge_thickness`: width of the thick concave
   /// contour edges in texels. The same to the bit for any number of threads.
@@ -69,7 +71,7 @@ class SecondDepthMaps {
                   double half_width);
   void fill(Triangle triangle, FacetIndex facet, const Rows& rows, const bool* only_plus);
 
-  int resolution_;
+  int resolution_ = 0;
   std::vector<Corner> corners_;  // of the vertices
   std::vector<Rows> rows_;       // of the facets
   std::array<Strips, 2> strips_;

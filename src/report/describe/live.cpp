@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "classify/classifier.hpp"
+#include "classify/picture_maps.hpp"
 #include "mesh/coarsened.hpp"
 #include "mold/direction.hpp"
 #include "mold/direction_field.hpp"
@@ -108,7 +109,7 @@ void measure_errors(const ReportContext& context, const std::shared_ptr<const Pa
   std::set<int> resolutions(k_resolutions.begin(), k_resolutions.end());
   resolutions.insert(live.method.resolution);
   for (const int resolution : resolutions) live.errors.push_back({resolution});
-  PartMaps maps(*context.gl, drawn);
+  PictureMaps maps(*context.gl, drawn);
   const SurfaceSamples samples =
       sample_surface_evenly(model.part.mesh, model.geometry, model.frame, k_live_samples);
   SamplePass pass(context.gl->functions());
@@ -122,7 +123,7 @@ void measure_errors(const ReportContext& context, const std::shared_ptr<const Pa
     if (k >= known.size())
       directions[k].areas = classify_exact(*context.model, query, Progress(&context.progress)).areas;
     for (LiveError& error : live.errors) {
-      maps.draw_maps(page_query(model, query, error.resolution));
+      maps.draw_quickly(page_query(model, query, error.resolution));
       std::vector<std::uint8_t> verdicts = pass.run(samples.samples, maps.maps(), Doubt::marked);
       const auto off = [&] {
         return greatest_difference(areas_of(verdicts, total_area), directions[k].areas) / total_area;
