@@ -37,7 +37,10 @@ double mm_per_unit(const std::string& unit) {
 }
 
 std::string layer_of(std::string_view kind) {
-  return kind == "outer" ? "OUTER" : kind == "shut-off" ? "SHUT_OFF" : "UNDERCUT_RIM";
+  return kind == "outer"      ? "OUTER"
+         : kind == "shut-off" ? "SHUT_OFF"
+         : kind == "seam"     ? "SEAM"
+                              : "UNDERCUT_RIM";
 }
 
 void write_dxf(const std::string& path, const WrittenLines& lines) {
@@ -46,14 +49,18 @@ void write_dxf(const std::string& path, const WrittenLines& lines) {
   fmt::format_to(out, "999\nmoldlight parting line of {}\n", plain(lines.name));
   fmt::format_to(out, "999\nunit: {}\n", lines.unit.empty() ? "that of the part's file" : plain(lines.unit));
   text += "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n0\nSECTION\n2\nTABLES\n";
-  text += "0\nTABLE\n2\nLAYER\n70\n3\n";
-  constexpr std::pair<std::string_view, int> k_layers[] = {{"outer", 1}, {"shut-off", 5}, {"action", 6}};
-  for (const auto& [kind, colour] : k_layers)
+  text += "0\nTABLE\n2\nLAYER\n70\n";
+  const bool has_seams =
+      std::ranges::any_of(lines.loops, [](const auto& loop) { return loop.kind == "seam"; });
+  std::vector<std::pair<std::string_view, int>> layers = {{"outer", 1}, {"shut-off", 5}, {"action", 6}};
+  if (has_seams) layers = {{"seam", 1}};
+  fmt::format_to(out, "{}\n", layers.size());
+  for (const auto& [kind, colour] : layers)
     fmt::format_to(out, "0\nLAYER\n2\n{}\n70\n0\n62\n{}\n6\nCONTINUOUS\n", layer_of(kind), colour);
   text += "0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
   for (const WrittenLoop& loop : lines.loops) {
     const std::string layer = layer_of(loop.kind);
-    fmt::format_to(out, "0\nPOLYLINE\n8\n{}\n66\n1\n10\n0\n20\n0\n30\n0\n70\n9\n", layer);
+    fmt::format_to(out, "0\nPOLYLINE\n8\n{}\n66\n1\n10\n0\n20\n0\n30\n0\n70\n{}\n", layer, loop.open ? 8 : 9);
     for (const glm::dvec3& p : loop.points)
       fmt::format_to(out, "0\nVERTEX\n8\n{}\n10\n{}\n20\n{}\n30\n{}\n70\n32\n", layer, p.x, p.y, p.z);
     fmt::format_to(out, "0\nSEQEND\n8\n{}\n", layer);
@@ -88,7 +95,7 @@ void write_svg(const std::string& path, const WrittenLines& lines) {
     fmt::format_to(
         out, "<g id=\"loop{}\" class=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" fill=\"none\">\n",
         &loop - lines.loops.data() + 1, loop.kind, stroke);
-    for (std::size_t k = 0; k < loop.points.size(); ++k) {
+    for (std::size_t k = 0; k + (loop.open ? 1 : 0) < loop.points.size(); ++k) {
       const glm::dvec3 a = scale * frame.to_mold(loop.points[k]),
                        b = scale * frame.to_mold(loop.points[(k + 1) % loop.points.size()]);
       const double share = size.z > 1e-9 * glm::length(size) ? (0.5 * (a.z + b.z) - low.z) / size.z : 0.5;
@@ -112,7 +119,7 @@ void write_obj(const std::string& path, const WrittenLines& lines) {
     group = loop.kind;
     text += "l";
     for (std::size_t k = 0; k < loop.points.size(); ++k) fmt::format_to(out, " {}", number + k + 1);
-    fmt::format_to(out, " {}\n", number + 1);
+    text += loop.open ? "\n" : fmt::format(" {}\n", number + 1);
     number += loop.points.size();
   }
   write_file(path, text);
@@ -168,7 +175,9 @@ void write_step(const std::string& path, const WrittenLines& lines) {
                      step_real(mm * p.y), step_real(mm * p.z));
       points += fmt::format("#{},", number++);
     }
-    fmt::format_to(out, "#{}=POLYLINE('{}',({}#{}));\n", number, loop.kind, points, first);
+    if (loop.open) points.pop_back();
+    fmt::format_to(out, "#{}=POLYLINE('{}',({}{}));\n", number, loop.kind, points,
+                   loop.open ? "" : fmt::format("#{}", first));
     curves += fmt::format("{}#{}", curves.empty() ? "" : ",", number++);
   }
   fmt::format_to(out, "#{}=GEOMETRIC_CURVE_SET('parting line',({}));\n", number, curves);

@@ -15,8 +15,9 @@ namespace moldlight {
 
 /// One loop of the line: closed, the first point is not repeated; in the part's coordinates.
 struct WrittenLoop {
-  std::string_view kind;  // "outer", "shut-off", "action"
+  std::string_view kind;  // "outer", "shut-off", "action", "seam"
   std::vector<glm::dvec3> points;
+  bool open = false;  // ends at its last point; of a seam that is closed the first point is the last, too
 };
 
 struct WrittenLines {

@@ -115,25 +115,33 @@ bool CertainUndercut::blocked_above(const Start& start, const SphereCell& cell, 
               answer);
 }
 
+CertainUndercut::Start CertainUndercut::own_start(const SurfaceElement& element) const {
+  Start own{element.corners, element.is_point ? 1U : 3U, 0.0};
+  if (element.is_point) return own;
+  const glm::dvec3 middle = element.middle();
+  for (glm::dvec3& corner : own.corners) corner += k_shrink * (middle - corner);
+  return own;
+}
+
+CertainUndercut::Start CertainUndercut::start_beside(const Start& own, const glm::dvec3& normal) const {
+  Start beside = own;
+  for (glm::dvec3& corner : beside.corners) corner += lateral_ * normal;
+  beside.radius = 2.0 * lateral_ * std::sin(0.5 * tau_rad_);
+  return beside;
+}
+
 ElementAnswer CertainUndercut::ask(const SurfaceElement& element, const SphereCell& cell) {
   ElementAnswer answer{.hidden_at_centre = true};
   const glm::dvec3& normal = part_.geometry.normals[element.facet];
   const double draft_rad = std::asin(std::clamp(glm::dot(normal, cell.centre()), -1.0, 1.0));
   const double reach_rad = cell.radius_rad() + k_rounding;
-  Start own{element.corners, element.is_point ? 1U : 3U, 0.0};
-  double area = element.area;
-  if (!element.is_point) {
-    const glm::dvec3 middle = element.middle();
-    for (glm::dvec3& corner : own.corners) corner += k_shrink * (middle - corner);
-    area *= (1.0 - k_shrink) * (1.0 - k_shrink);
-  }
+  const Start own = own_start(element);
+  const double area = element.area * (element.is_point ? 1.0 : (1.0 - k_shrink) * (1.0 - k_shrink));
   bool certain = false;
   if (std::abs(draft_rad) - reach_rad >= tau_rad_) {
     certain = blocked(own, cell, draft_rad > 0.0 ? 1.0 : -1.0, answer);
   } else {
-    Start beside = own;
-    for (glm::dvec3& corner : beside.corners) corner += lateral_ * normal;
-    beside.radius = 2.0 * lateral_ * std::sin(0.5 * tau_rad_);
+    const Start beside = start_beside(own, normal);
     const bool above = blocked(beside, cell, 1.0, answer);
     if (!above && !answer.hidden_at_centre) return answer;
     // Also where nothing is certain any more: both sides say whether the middle is hidden.
@@ -145,6 +153,18 @@ ElementAnswer CertainUndercut::ask(const SurfaceElement& element, const SphereCe
   }
   if (certain) answer.certain_area = area;
   return answer;
+}
+
+bool CertainUndercut::blocked_along(const SurfaceElement& element, const SphereCell& cell) {
+  ElementAnswer unused;
+  const glm::dvec3& normal = part_.geometry.normals[element.facet];
+  const double draft_rad = std::asin(std::clamp(glm::dot(normal, cell.centre()), -1.0, 1.0));
+  const double reach_rad = cell.radius_rad() + k_rounding;
+  if (draft_rad + reach_rad <= -tau_rad_) return true;
+  const Start own = own_start(element);
+  if (draft_rad - reach_rad >= tau_rad_) return blocked(own, cell, 1.0, unused);
+  if (!blocked(start_beside(own, normal), cell, 1.0, unused)) return false;
+  return draft_rad + reach_rad < tau_rad_ || blocked_above(own, cell, 1.0, normal, unused);
 }
 
 }  // namespace moldlight

@@ -63,12 +63,18 @@ class CertainUndercut {
 
   [[nodiscard]] ElementAnswer ask(const SurfaceElement& element, const SphereCell& cell);
 
+  /// Whether none of the cell's directions releases the element, the opposite ones left aside: by the same
+  /// rule, and each that it faces away from by tau does not.
+  [[nodiscard]] bool blocked_along(const SurfaceElement& element, const SphereCell& cell);
+
  private:
   struct Start {
     std::array<glm::dvec3, 3> corners;
     std::size_t count;
     double radius;
   };
+  [[nodiscard]] Start own_start(const SurfaceElement& element) const;
+  [[nodiscard]] Start start_beside(const Start& own, const glm::dvec3& normal) const;
   [[nodiscard]] bool blocked(const Start& start, const SphereCell& cell, double sense, ElementAnswer& answer);
   [[nodiscard]] bool blocked_above(const Start& start, const SphereCell& cell, double sense,
                                    const glm::dvec3& normal, ElementAnswer& answer);

@@ -28,7 +28,8 @@ const std::map<std::string, Layers>& allowed_layers() {
     return layers;
   };
   static const Layers k_actions = with(k_classify, "classify"), k_parting = with(k_actions, "actions"),
-                      k_sweep = with(with(k_parting, "parting"), "proof"), k_study = with(k_sweep, "sweep"),
+                      k_sweep = with(with(k_parting, "parting"), "proof"),
+                      k_pieces = with(k_sweep, "sweep"), k_study = with(k_pieces, "pieces"),
                       k_python = with(k_study, "study"), k_entry = with(with(k_python, "compare"), "batch"),
                       k_report = with(with(k_python, "compare"), "page"),
                       k_program = with(with(with(k_entry, "gui"), "report"), "page");
@@ -45,6 +46,7 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"actions", k_actions},
       {"parting", k_parting},
       {"sweep", k_sweep},
+      {"pieces", k_pieces},
       {"study", k_study},
       {"compare", k_python},
       {"batch", {"base", "io", "page", "classify"}},
@@ -82,7 +84,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"pybind11", std::regex("pybind11/.*|Python.h"), {"python"}},
       {"JSON",
        std::regex("nlohmann/.*"),
-       {"actions", "batch", "classify", "compare", "page", "parting", "report", "sweep", "gui", "cli",
+       {"actions", "batch", "classify", "compare", "page", "parting", "pieces", "report", "sweep", "gui", "cli",
         "python", "study"}},
   };
   return k_rules;

@@ -1,0 +1,215 @@
+#include "pieces/direction_cover.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace moldlight {
+
+namespace {
+
+constexpr std::size_t k_word = 64;
+
+std::size_t count_in(const SampleGroup& group, const BitSet& set) {
+  const std::size_t end = (group.first + group.count + k_word - 1) / k_word;
+  std::size_t sum = 0;
+  for (std::size_t k = group.first / k_word; k < end; ++k)
+    sum += static_cast<std::size_t>(std::popcount(set.words()[k]));
+  return sum;
+}
+
+std::size_t count_in(const SampleGroup& group, const BitSet& set, const BitSet& other) {
+  const std::size_t end = (group.first + group.count + k_word - 1) / k_word;
+  std::size_t sum = 0;
+  for (std::size_t k = group.first / k_word; k < end; ++k)
+    sum += static_cast<std::size_t>(std::popcount(set.words()[k] & other.words()[k]));
+  return sum;
+}
+
+BitSet all_samples(const CoverTask& task) {
+  BitSet all(task.groups.empty() ? 0 : task.groups.back().first + task.groups.back().count);
+  for (const SampleGroup& group : task.groups) {
+    for (std::size_t k = 0; k < group.count; ++k) all.set(group.first + k);
+  }
+  return all;
+}
+
+/// Those of `columns` that no other one reaches all samples of; of equal ones the first stays.
+std::vector<std::size_t> undominated(std::span<const BitSet> all, std::span<const std::size_t> columns,
+                                     const Progress& progress) {
+  std::vector<std::size_t> counts, kept;
+  counts.reserve(columns.size());
+  for (const std::size_t c : columns) counts.push_back(all[c].count());
+  std::vector<std::size_t> order(columns.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return counts[k]; });
+  std::vector<std::size_t> places;
+  for (const std::size_t k : order) {
+    if (progress.cancelled()) throw Cancelled();
+    if (counts[k] == 0) continue;
+    const bool served = std::ranges::any_of(
+        places, [&](std::size_t other) { return all[columns[other]].contains(all[columns[k]]); });
+    if (!served) places.push_back(k);
+  }
+  std::ranges::sort(places);
+  for (const std::size_t k : places) kept.push_back(columns[k]);
+  return kept;
+}
+
+}  // namespace
+
+CoverSearch::CoverSearch(const CoverTask& task, std::span<const std::size_t> allowed,
+                         const Progress& progress)
+    : task_(task), progress_(progress), columns_(undominated(task.columns, allowed, progress)) {
+  rows_.assign(all_samples(task).words().size() * k_word, BitSet(columns_.size()));
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    column(c).for_each([&](std::size_t sample) { rows_[sample].set(c); });
+}
+
+DirectionCover CoverSearch::find(const CoverChoice& choice) {
+  DirectionCover cover;
+  nodes_ = 0;
+  most_nodes_ = choice.most_nodes;
+  chosen_.clear();
+  State state{.open = left_by(task_, choice.forced), .allowed = BitSet(columns_.size()), .spare = {}};
+  for (std::size_t c = 0; c < columns_.size(); ++c) state.allowed.set(c);
+  for (const SampleGroup& group : task_.groups) state.spare.push_back(group.spare);
+  cover.found = branch(std::move(state), choice.most - choice.forced.size());
+  cover.complete = nodes_ <= most_nodes_;
+  if (!cover.found) return cover;
+  cover.columns = choice.forced;
+  for (const std::size_t c : chosen_) cover.columns.push_back(columns_[c]);
+  return cover;
+}
+
+std::size_t CoverSearch::group_of(std::size_t sample) const {
+  std::size_t group = task_.groups.size() - 1;
+  while (task_.groups[group].first > sample) --group;
+  return group;
+}
+
+/// Gives up samples that nothing reaches any more; false where these are too many.
+bool CoverSearch::drop_unreachable(State& state, std::size_t& rarest) const {
+  std::size_t fewest = columns_.size() + 1;
+  bool enough = true;
+  BitSet dropped(state.open.words().size() * k_word);
+  state.open.for_each([&](std::size_t sample) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < state.allowed.words().size(); ++k)
+      count += static_cast<std::size_t>(std::popcount(rows_[sample].words()[k] & state.allowed.words()[k]));
+    if (count == 0) {
+      dropped.set(sample);
+      std::size_t& spare = state.spare[group_of(sample)];
+      enough = enough && spare > 0;
+      if (spare > 0) --spare;
+    } else if (count < fewest) {
+      fewest = count;
+      rarest = sample;
+    }
+  });
+  state.open.remove(dropped);
+  return enough;
+}
+
+bool CoverSearch::satisfied(const State& state) const {
+  for (std::size_t g = 0; g < task_.groups.size(); ++g) {
+    if (count_in(task_.groups[g], state.open) > state.spare[g]) return false;
+  }
+  return true;
+}
+
+/// False where even the best `rest` columns do not reach enough of some group.
+bool CoverSearch::may_suffice(const State& state, std::size_t rest, std::vector<std::size_t>& gains) const {
+  gains.assign(columns_.size(), 0);
+  std::vector<std::size_t> of_group;
+  for (std::size_t g = 0; g < task_.groups.size(); ++g) {
+    const SampleGroup& group = task_.groups[g];
+    const std::size_t open = count_in(group, state.open);
+    of_group.clear();
+    state.allowed.for_each([&](std::size_t c) {
+      of_group.push_back(count_in(group, state.open, column(c)));
+      gains[c] += of_group.back();
+    });
+    const std::size_t taken = std::min(rest, of_group.size());
+    std::partial_sort(of_group.begin(), of_group.begin() + static_cast<std::ptrdiff_t>(taken), of_group.end(),
+                      std::greater());
+    const std::size_t reached = std::accumulate(
+        of_group.begin(), of_group.begin() + static_cast<std::ptrdiff_t>(taken), std::size_t{0});
+    if (reached + state.spare[g] < open) return false;
+  }
+  return true;
+}
+
+bool CoverSearch::branch(State state, std::size_t rest) {
+  if (progress_.cancelled()) throw Cancelled();
+  if (satisfied(state)) return true;
+  if (rest == 0 || ++nodes_ > most_nodes_) return false;
+  std::size_t rarest = 0;
+  if (!drop_unreachable(state, rarest)) return false;
+  std::vector<std::size_t> gains;
+  if (!may_suffice(state, rest, gains)) return false;
+  if (rest == 1) return choose_last(state, gains);
+  std::vector<std::size_t> order;
+  rows_[rarest].for_each([&](std::size_t c) {
+    if (state.allowed.has(c)) order.push_back(c);
+  });
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t c) { return gains[c]; });
+  for (const std::size_t c : order) {
+    state.allowed.reset(c);  // what comes after it does without it
+    State next = state;
+    next.open.remove(column(c));
+    chosen_.push_back(c);
+    if (branch(std::move(next), rest - 1)) return true;
+    chosen_.pop_back();
+    if (nodes_ > most_nodes_) return false;
+  }
+  return branch(std::move(state), rest);  // gives the sample up: nothing reaches it any more
+}
+
+bool CoverSearch::choose_last(const State& state, const std::vector<std::size_t>& gains) {
+  std::size_t best = columns_.size();
+  state.allowed.for_each([&](std::size_t c) {
+    if (best < columns_.size() && gains[c] <= gains[best]) return;
+    for (std::size_t g = 0; g < task_.groups.size(); ++g) {
+      const SampleGroup& group = task_.groups[g];
+      if (count_in(group, state.open, column(c)) + state.spare[g] < count_in(group, state.open)) return;
+    }
+    best = c;
+  });
+  if (best == columns_.size()) return false;
+  chosen_.push_back(best);
+  return true;
+}
+
+BitSet left_by(const CoverTask& task, std::span<const std::size_t> columns) {
+  BitSet left = all_samples(task);
+  for (const std::size_t c : columns) left.remove(task.columns[c]);
+  return left;
+}
+
+bool leaves_enough(const CoverTask& task, const BitSet& left) {
+  return std::ranges::all_of(task.groups,
+                             [&](const SampleGroup& group) { return count_in(group, left) <= group.spare; });
+}
+
+DirectionCover greedy_cover(const CoverTask& task, const CoverChoice& choice) {
+  DirectionCover cover{.columns = choice.forced, .found = true, .complete = false};
+  BitSet left = left_by(task, choice.forced);
+  while (cover.columns.size() < choice.most) {
+    std::size_t best = 0, most = 0;
+    for (std::size_t c = 0; c < task.columns.size(); ++c) {
+      std::size_t gain = 0;
+      for (const SampleGroup& group : task.groups) gain += count_in(group, left, task.columns[c]);
+      if (gain > most) {
+        most = gain;
+        best = c;
+      }
+    }
+    if (most == 0) break;
+    cover.columns.push_back(best);
+    left.remove(task.columns[best]);
+  }
+  return cover;
+}
+
+}  // namespace moldlight

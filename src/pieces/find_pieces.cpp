@@ -1,0 +1,122 @@
+#include "pieces/find_pieces.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "base/error.hpp"
+#include "classify/classification.hpp"
+#include "classify/method_options.hpp"
+#include "mold/surface_samples.hpp"
+#include "pieces/choose_directions.hpp"
+
+namespace moldlight {
+
+namespace {
+
+/// Every so many of the chooser's samples is one of the proof's.
+constexpr std::size_t k_proof_step = 5;
+constexpr std::size_t k_air_points = 1 << 15U;
+
+/// Excludes one direction fewer than were found; a surface that is closed asks for two in any case.
+void prove(const PartModel& model, const ChosenDirections& chosen, const Progress& progress,
+           PiecesResult& result) {
+  const ProofPart part{.mesh = model.part.mesh,
+                       .geometry = model.geometry,
+                       .adjacency = model.adjacency,
+                       .positions = model.exact(progress).positions(),
+                       .rays = model.rays()};
+  SurfaceSamples some;
+  std::size_t unreachable = 0;
+  for (std::size_t k = 0; k < chosen.samples.size(); k += k_proof_step) {
+    some.samples.push_back(chosen.samples[k].sample);
+    unreachable += chosen.samples[k].reachable ? 0 : 1;
+  }
+  const auto count = static_cast<double>(some.samples.size());
+  const double spare = count * result.settings.eps;
+  result.proof_samples = some.samples.size();
+  // By their error more than eps may be left of the samples where it is not of the surface.
+  result.proof = prove_cover(
+      part, sample_elements(part, some),
+      {.query = {.tau_deg = result.query.tau_deg, .lateral = result.query.lateral},
+       .most = chosen.directions.size() - 1,
+       .spare = unreachable +
+                static_cast<std::size_t>(spare + 2.0 * std::sqrt(spare * (1.0 - result.settings.eps)))},
+      progress);
+  result.lower_bound = result.proof.excluded + 1;
+}
+
+/// What all pieces together leave in the part's box beside the part: points that are blocked along every
+/// direction and lie outside of the part, by rays.
+void measure_air(const PartModel& model, const Progress& progress, PiecesResult& result) {
+  if (!model.exact(progress).closed()) return;
+  const Bounds box = bounds(model.part.mesh);
+  std::vector<glm::vec3> points;
+  for (std::size_t k = 0; k < k_air_points; ++k) {
+    const glm::dvec2 place = square_place(k);
+    const glm::dvec3 in_box(place, (static_cast<double>(k) + 0.5) / static_cast<double>(k_air_points));
+    points.push_back(model.frame.to_unit(box.min + in_box * (box.max - box.min)));
+  }
+  std::vector<std::uint8_t> blocked(points.size());
+  for (const PieceDirection& direction : result.directions) {
+    progress.report("looking for enclosed air", 0.0);
+    blocked.resize(points.size());
+    model.rays().blocked(points, glm::vec3(direction.direction), blocked);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (blocked[k] != 0) points[kept++] = points[k];
+    }
+    points.resize(kept);
+  }
+  const glm::vec3 along(result.directions.front().direction);
+  std::size_t outside = 0;
+  for (const glm::vec3& point : points) {
+    const auto hit = model.rays().first_hit(point, along, false);
+    outside += hit && glm::dot(model.geometry.normals[hit->facet], glm::dvec3(along)) < 0.0 ? 1 : 0;
+  }
+  const glm::dvec3 size = box.max - box.min;
+  const double share = static_cast<double>(outside) / static_cast<double>(k_air_points);
+  const double volume = size.x * size.y * size.z;
+  result.enclosed_air = share * volume;
+  result.enclosed_error = 2.0 * volume * std::sqrt(share * (1.0 - share) / static_cast<double>(k_air_points));
+}
+
+}  // namespace
+
+PiecesResult find_pieces(const PartModel& model, const MethodSettings& method, const PiecesSettings& settings,
+                         const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  validate(settings);
+  validate(method, model.frame.diagonal);
+  if (model.geometry.total_area <= 0.0) throw UsageError("the part has no surface to release");
+  PiecesResult result;
+  result.settings = settings;
+  result.query = exact_query(model, {{}, method});
+  const ChosenDirections chosen = choose_directions(model, result.query, settings, progress);
+  result.enough = chosen.enough;
+  result.optimal = chosen.optimal;
+  result.releases_all = chosen.releases_all;
+  result.left_area = chosen.left_area;
+  result.unreachable_area = chosen.unreachable_area;
+  result.places = left_places(model, chosen.left);
+  std::vector<glm::dvec3> directions;
+  for (const PullLine& line : chosen.directions) {
+    result.directions.push_back({.direction = line.direction, .name = line.name});
+    directions.push_back(line.direction);
+  }
+  if (!directions.empty()) {
+    prove(model, chosen, progress, result);
+    result.formed = form_surface(model, result.query, directions, progress);
+    for (const FormedPatch& patch : result.formed.patches) {
+      result.directions[patch.direction].area += patch.area;
+      ++result.directions[patch.direction].components;
+    }
+    measure_air(model, progress, result);
+  }
+  result.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace moldlight

@@ -1,0 +1,47 @@
+// Which direction forms what of the surface: by expansion moves over labels (Boykov, Veksler & Zabih 2001),
+// each a minimum cut, so that the seams between the mold's pieces are short and run along creases.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "base/progress.hpp"
+#include "classify/part_model.hpp"
+#include "mold/exact/exact_regions.hpp"
+#include "mold/exact/split_mesh.hpp"
+
+namespace moldlight {
+
+/// What one direction forms that hangs together. Lengths are the part's.
+struct FormedPatch {
+  std::uint32_t direction = 0;  // number of it
+  double area = 0.0;
+  glm::dvec3 centre{0.0};  // of the area
+};
+
+/// Where two directions meet.
+struct PieceSeam {
+  std::uint32_t a = 0, b = 0;      // numbers of the directions, a < b
+  std::vector<glm::dvec3> points;  // the first is the last of a closed one, too
+  bool closed = false;
+  double length = 0.0;
+  double crease_share = 0.0;  // of the length, along edges that bend by more than 30 degrees; [0, 1]
+};
+
+struct FormedSurface {
+  SplitMesh mesh;  // of the regions of all directions together; its own regions say nothing
+  std::vector<std::uint32_t> formed_by;  // number of the direction of each piece; their count: left over
+  std::vector<FormedPatch> patches;      // by direction, the largest first
+  std::vector<PieceSeam> seams;          // by directions, the longest first
+};
+
+/// Directions are unit; at most 31 of them. Of the query the direction does not count. Surface that several
+/// release goes where the seams cost least: half their length along creases; walls that lean against a
+/// direction by less than tau cost extra, and slightly the later one of directions. Throws Cancelled.
+[[nodiscard]] FormedSurface form_surface(const PartModel& model, const ExactQuery& query,
+                                         std::span<const glm::dvec3> directions, const Progress& progress);
+
+}  // namespace moldlight

@@ -1,0 +1,162 @@
+#include "pieces/pieces_report.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "actions/actions_files.hpp"
+#include "base/numbers.hpp"
+#include "classify/classify_report.hpp"
+#include "classify/method_options.hpp"
+#include "classify/number_format.hpp"
+#include "classify/option_json.hpp"
+#include "io/mesh_writer.hpp"
+#include "mold/direction.hpp"
+#include "parting/line_files.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr std::size_t k_most_places = 100;
+
+std::string number_word(std::size_t number) {
+  constexpr std::array<std::string_view, 7> k_words = {"no", "one", "two", "three", "four", "five", "six"};
+  return number < k_words.size() ? std::string(k_words[number]) : fmt::format("{}", number);
+}
+
+bool has_pair(const PiecesResult& result) {
+  return result.count() == 2 &&
+         glm::dot(result.directions[0].direction, result.directions[1].direction) < -1.0 + 1e-12;
+}
+
+std::string names_of(const PiecesResult& result) {
+  std::vector<std::string> names;
+  for (const PieceDirection& one : result.directions) names.push_back(direction_words(one.direction));
+  return fmt::format("{}", fmt::join(names, "; "));
+}
+
+Json settings_json(const PiecesResult& result, double diagonal) {
+  Json settings = {{"tau_deg", result.query.tau_deg}, {"tolerance", result.query.lateral * diagonal}};
+  settings.update(options_json(pieces_options(), result.settings));
+  return settings;
+}
+
+}  // namespace
+
+std::string pieces_state(const PiecesResult& result) {
+  return !result.releases_all ? "left-over" : has_pair(result) ? "two-piece" : "pieces";
+}
+
+std::string pieces_sentence(const PartModel& model, const PiecesResult& result) {
+  const std::string left =
+      fmt::format("{} {} ({})", rounded_area(result.left_area, model.geometry.total_area),
+                  powered_unit(model.part, 2), share_text(result.left_area, model.geometry.total_area));
+  const std::size_t count = result.count();
+  if (count == 0) return "No direction that was tried releases any of the surface.";
+  if (!result.enough)
+    return fmt::format("{} directions are not enough: {} of the surface is left over.", count, left);
+  std::string text;
+  if (!result.releases_all) {
+    text = fmt::format("No direction releases {} of the surface. The rest needs {}: {}.", left,
+                       plural(count, "direction"), names_of(result));
+  } else if (has_pair(result)) {
+    text = fmt::format("Two pieces release the part: it opens along {}.",
+                       direction_words(result.directions[0].direction));
+  } else {
+    text = fmt::format("The mold opens along {}: {}.", plural(count, "direction"), names_of(result));
+  }
+  if (count < 2 || (count == 2 && result.proved())) return text;
+  if (result.proved())
+    return text + fmt::format(" {} impossible (proved for {} samples of the surface).",
+                              count == 3 ? "Two are" : sentence_of(number_word(count - 1)) + " are",
+                              result.proof_samples);
+  if (!result.optimal) return text + " The search was cut short, so fewer may do.";
+  return text + fmt::format(" None of the directions tried do with fewer; {} at least are needed (proved).",
+                            number_word(result.lower_bound));
+}
+
+std::string piece_name(std::size_t direction) { return fmt::format("piece_{}", direction + 1); }
+
+Colour piece_colour(std::size_t direction, Palette palette) {
+  if (direction < 2) return region_colour(direction == 0 ? Region::core : Region::cavity, palette);
+  return action_colour(direction - 2);
+}
+
+Json pieces_json(const PartModel& model, const PiecesResult& result) {
+  Json directions = Json::array(), places = Json::array(), seams = Json::array(), pieces = Json::array(),
+       open = Json::array();
+  for (std::size_t k = 0; k < result.count(); ++k) {
+    const PieceDirection& one = result.directions[k];
+    directions.push_back({{"direction", point_json(one.direction)},
+                          {"name", one.name},
+                          {"order", k + 1},
+                          {"area", one.area},
+                          {"components", one.components}});
+  }
+  for (std::size_t k = 0; k < std::min(result.places.size(), k_most_places); ++k) {
+    const LeftPlace& place = result.places[k];
+    places.push_back(
+        {{"area", place.area}, {"centre", point_json(place.centre)}, {"bounds", bounds_json(place.bounds)}});
+  }
+  for (const PieceSeam& seam : result.formed.seams) {
+    seams.push_back({{"orders", {seam.a + 1, seam.b + 1}},
+                     {"length", seam.length},
+                     {"closed", seam.closed},
+                     {"crease_share", seam.crease_share}});
+  }
+  for (const FormedPatch& patch : result.formed.patches) {
+    pieces.push_back(
+        {{"order", patch.direction + 1}, {"area", patch.area}, {"centre", point_json(patch.centre)}});
+  }
+  for (const OpenCell& cell : result.proof.open)
+    open.push_back({{"direction", point_json(cell.direction)}, {"radius_deg", cell.radius_deg}});
+  Json air;
+  if (result.enclosed_air) air = {{"volume", *result.enclosed_air}, {"error", result.enclosed_error}};
+  return {{"schema", "moldlight.pieces/1"},
+          {"part", part_json(model, model.warnings)},
+          {"settings", settings_json(result, model.frame.diagonal)},
+          {"verdict", {{"state", pieces_state(result)}, {"sentence", pieces_sentence(model, result)}}},
+          {"directions", directions},
+          {"count", result.count()},
+          {"lower_bound", result.lower_bound},
+          {"proved", result.proved()},
+          {"optimal", result.optimal},
+          {"proof", {{"samples", result.proof_samples}, {"cells", result.proof.cells}, {"open", open}}},
+          {"left", {{"area", result.left_area}, {"places", places}}},
+          {"seams", seams},
+          {"pieces", pieces},
+          {"void", air},
+          {"elapsed_s", result.elapsed_s}};
+}
+
+void write_pieces_mesh(const std::string& path, const PartModel& model, const PiecesResult& result,
+                       Palette palette) {
+  std::vector<MeshGroup> groups;
+  for (std::size_t k = 0; k < result.count(); ++k)
+    groups.push_back({piece_name(k), piece_colour(k, palette)});
+  groups.push_back({"left_over", region_colour(Region::undercut, palette)});
+  write_grouped_mesh(path, {.mesh = piece_mesh(result.formed.mesh),
+                            .groups = groups,
+                            .of_facet = result.formed.formed_by,
+                            .what = "piece",
+                            .title = "mold pieces",
+                            .unit = model.part.unit});
+}
+
+void write_seams(const std::string& path, const PartModel& model, const PiecesResult& result) {
+  WrittenLines lines{
+      .loops = {},
+      .direction = result.directions.empty() ? glm::dvec3(0, 0, 1) : result.directions.front().direction,
+      .unit = model.part.unit,
+      .name = part_name(model.part)};
+  for (const PieceSeam& seam : result.formed.seams)
+    lines.loops.push_back({.kind = "seam", .points = seam.points, .open = true});
+  write_lines(path, lines);
+}
+
+}  // namespace moldlight

@@ -1,0 +1,30 @@
+#include "pieces/pieces_settings.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace moldlight {
+
+std::span<const Option<PiecesSettings>> pieces_options() {
+  using S = PiecesSettings;
+  static const std::vector<Option<S>> k_options = {
+      {"eps", "--eps", "Left over", "", "Share of the part's surface that no piece needs to release.",
+       RealKind<S>{&S::eps, 0.0, 0.2, 0.001}},
+      {"max", "--max", "Most directions", "", "Most directions that the mold may open along.",
+       IntegerKind<S>{&S::most, 1, 12}},
+      {"fixed", "--fixed", "Fixed directions", "",
+       "A direction that the mold opens along in any case, X,Y,Z or an axis such as -y. May be given several "
+       "times.",
+       DirectionsKind<S>{&S::fixed}},
+  };
+  return k_options;
+}
+
+void validate(const PiecesSettings& settings) {
+  if (settings.fixed.size() > static_cast<std::size_t>(settings.most))
+    throw UsageError(fmt::format("--fixed: {} directions are more than the {} of --max",
+                                 settings.fixed.size(), settings.most));
+}
+
+}  // namespace moldlight

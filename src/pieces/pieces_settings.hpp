@@ -1,0 +1,27 @@
+// Settings of molds of several pieces, with the table of their options.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "classify/option.hpp"
+
+namespace moldlight {
+
+struct PiecesSettings {
+  double eps = 0.005;                // share of the surface that may be left over, [0, 0.2]
+  int most = 6;                      // directions at most, [1, 12]
+  std::vector<glm::dvec3> fixed;     // directions that the mold has anyway, any length but zero
+  std::vector<glm::dvec3> proposed;  // further candidates, any length but zero
+  bool operator==(const PiecesSettings&) const = default;
+};
+
+/// Without `proposed`, which comes from a file.
+[[nodiscard]] std::span<const Option<PiecesSettings>> pieces_options();
+
+/// Throws UsageError for more fixed directions than there may be at all.
+void validate(const PiecesSettings& settings);
+
+}  // namespace moldlight
