@@ -69,6 +69,9 @@ def commands(kind):
         return ["moldlight compare open.obj boxes.obj -d z --json out.json",
                 "moldlight compare parts/bottle_cap.stl parts/bottle_cap.stl --unit mm -d each --json out.json",
                 "moldlight compare parts/enclosure_lid.stl parts/cable_clip.stl --unit mm -d z --json out.json"]
+    if kind == "pieces":
+        return [f"moldlight pieces {part} --json out.json"
+                for part in ("open.obj", "boxes.obj", "parts/tilted_bracket.stl --unit mm", "nut.obj --max 2 --fixed z")]
     flags = {"sweep": ["--top 3", "--top 2 --pressure 30", "--time-limit 0.05"],
              "mold": ["", "--actions", "--fill-undercut --out mold --registration"],
              "classify": ["", "--readout samples", "--required-draft 2"], "actions": ["", "--strip-strain 0"]}

@@ -8,6 +8,10 @@
 
 namespace moldlight {
 
+/// How many bits are set in both of two runs of so many words.
+[[nodiscard]] std::size_t common_bits(const std::uint64_t* one, const std::uint64_t* other,
+                                      std::size_t words);
+
 class BitSet {
  public:
   explicit BitSet(std::size_t size = 0) : words_((size + 63) / 64, 0) {}
@@ -31,10 +35,9 @@ class BitSet {
     }
     return true;
   }
-  [[nodiscard]] std::size_t count() const {
-    std::size_t sum = 0;
-    for (const std::uint64_t word : words_) sum += static_cast<std::size_t>(std::popcount(word));
-    return sum;
+  [[nodiscard]] std::size_t count() const { return common_bits(words_.data(), words_.data(), words_.size()); }
+  [[nodiscard]] std::size_t count_with(const BitSet& other) const {
+    return common_bits(words_.data(), other.words_.data(), words_.size());
   }
   template <typename Visit>
   void for_each(const Visit& visit) const {

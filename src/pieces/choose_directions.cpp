@@ -19,9 +19,10 @@ namespace {
 
 constexpr std::size_t k_samples = 4000, k_samples_of_left = 512;
 constexpr int k_most_rounds = 40;
-constexpr std::size_t k_nodes = 20'000, k_nodes_of_a_pair = 300;
+constexpr std::size_t k_nodes = 20'000, k_nodes_of_a_pair = 300, k_nodes_of_liked = 3000;
 /// What exact areas distinguish, as a share of the surface.
 constexpr double k_resolved_share = 1e-6;
+constexpr std::size_t k_most_pairs = 40;
 /// Covers that leave so many samples more are as good, and depths that differ by less the same.
 constexpr std::size_t k_same_samples = 4;
 constexpr double k_same_depth = 0.01;
@@ -83,37 +84,44 @@ class Chooser {
   std::vector<PullLine> lines_;
   SampleAccess access_;
   LeftSurface left_;
+  void add_even_samples(ChosenDirections& chosen);
+
   std::vector<std::size_t> forced_;
   std::vector<double> depths_;  // of the part along each line, share of its diagonal
   std::size_t least_ = 1;       // fewer directions were excluded
+  bool all_ = true;             // candidates release all but eps
   bool certain_ = true;         // by searches that came to their end
 };
 
-/// With an opposite pair; of several the one that leaves least, then the flattest.
+/// With an opposite pair; of several that which leaves least by itself, then the flattest.
 std::optional<std::vector<std::size_t>> Chooser::with_pair(CoverSearch& search, int liking,
                                                            std::size_t most) const {
-  std::optional<std::vector<std::size_t>> best;
-  std::size_t best_left = 0;
-  double best_depth = 0.0;
+  struct Pair {
+    std::vector<std::size_t> columns;
+    std::size_t left = 0;
+    double depth = 0.0;
+  };
+  std::vector<Pair> pairs;
   for (std::size_t line = 0; line < lines_.size(); ++line) {
-    if (static_cast<int>(lines_[line].liking) > liking) continue;
-    CoverChoice choice{.forced = forced_, .most = most, .most_nodes = k_nodes_of_a_pair};
+    // A line without a reason is worth a pair only where the pair is all.
+    const bool liked = static_cast<int>(lines_[line].liking) <= liking;
+    if (!liked || (most > 2 && lines_[line].liking == LineLiking::other)) continue;
+    std::vector<std::size_t> columns = forced_;
     for (const std::size_t column : {2 * line, 2 * line + 1}) {
-      if (std::ranges::find(choice.forced, column) == choice.forced.end()) choice.forced.push_back(column);
+      if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
     }
-    if (choice.forced.size() > most) continue;
-    const DirectionCover cover = search.find(choice);
-    if (!cover.found) continue;
-    const std::size_t left = moldlight::left_by(access_.task(), cover.columns).count();
-    const bool better =
-        !best || left + k_same_samples < best_left ||
-        (left <= best_left + k_same_samples && depths_[line] < (1.0 - k_same_depth) * best_depth);
-    if (!better) continue;
-    best = cover.columns;
-    best_left = left;
-    best_depth = depths_[line];
+    if (columns.size() > most) continue;
+    const std::size_t left = moldlight::left_by(access_.task(), columns).count();
+    pairs.push_back({std::move(columns), left / k_same_samples, std::round(depths_[line] / k_same_depth)});
   }
-  return best;
+  std::ranges::stable_sort(pairs, {}, [](const Pair& pair) { return std::tuple(pair.left, pair.depth); });
+  if (pairs.size() > k_most_pairs) pairs.resize(k_most_pairs);
+  for (const Pair& pair : pairs) {
+    const DirectionCover cover =
+        search.find({.forced = pair.columns, .most = most, .most_nodes = k_nodes_of_a_pair});
+    if (cover.found) return cover.columns;
+  }
+  return std::nullopt;
 }
 
 /// Each direction that is neither fixed nor of a pair by the most liked that does as well.
@@ -149,7 +157,8 @@ std::vector<std::size_t> Chooser::liked_cover(std::vector<std::size_t> any) {
       replace_disliked(*pair);
       return *pair;
     }
-    const DirectionCover cover = search.find({.forced = forced_, .most = any.size(), .most_nodes = k_nodes});
+    const DirectionCover cover =
+        search.find({.forced = forced_, .most = any.size(), .most_nodes = k_nodes_of_liked});
     if (!cover.found) continue;
     any = cover.columns;
     break;
@@ -168,41 +177,48 @@ Chooser::Choice Chooser::choose() {
     if (cover.found) return {.columns = liked_cover(cover.columns), .optimal = certain_};
     certain_ = certain_ && cover.complete;
   }
-  return {.columns = greedy_cover(task, {.forced = forced_, .most = most}).columns,
-          .optimal = false,
-          .enough = false};
+  return {
+      .columns = greedy_cover(task, {.forced = forced_, .most = most},
+                              [&](std::size_t column) { return static_cast<int>(lines_[column / 2].liking); })
+                     .columns,
+      .optimal = false,
+      .enough = false};
 }
 
 /// Samples of what is left; the area of it that some candidate releases.
 double Chooser::add_left_samples(std::span<const std::size_t> columns, std::span<const LeftPolygon> left,
                                  double area, double allowed) {
   const std::vector<SurfaceSample> samples = left_samples(model_, left, k_samples_of_left);
-  access_.add(samples, 0, columns, progress_);
+  access_.add(samples, columns, progress_);
   const std::size_t group = access_.groups() - 1, count = samples.size();
   const std::size_t reachable = access_.reachable(group);
-  const double share = allowed / area;
-  const auto spare =
-      static_cast<std::size_t>(static_cast<double>(count) * share) + sampling_error(count, share);
+  const double share = std::min(1.0, allowed / area);
+  const std::size_t spare = static_cast<std::size_t>(static_cast<double>(count) * share) +
+                            sampling_error(count, share) + (all_ ? 0 : count - reachable);
   // What these directions leave is too much, whatever the error.
-  const std::size_t may_stay = reachable == 0 ? 0 : std::min(spare, reachable - 1);
-  access_.set_spare(group, may_stay + count - reachable);
+  access_.set_spare(group, std::min(spare, count - 1));
   return area * static_cast<double>(reachable) / static_cast<double>(count);
 }
 
-ChosenDirections Chooser::run() {
-  ChosenDirections chosen;
+void Chooser::add_even_samples(ChosenDirections& chosen) {
   const SurfaceSamples base =
       sample_surface_evenly(model_.part.mesh, model_.geometry, model_.frame, k_samples);
   progress_.report("asking rays", 0.0);
   const std::size_t count = base.samples.size();
-  const auto spare = static_cast<std::size_t>(static_cast<double>(count) * settings_.eps);
-  access_.add(base.samples, spare + sampling_error(count, settings_.eps), {}, progress_);
+  access_.add(base.samples, {}, progress_);
   BitSet reached(count);
   for (const BitSet& column : access_.task().columns) reached.add(column);
   for (std::size_t k = 0; k < count; ++k) chosen.samples.push_back({base.samples[k], reached.has(k)});
+  const auto spare = static_cast<std::size_t>(static_cast<double>(count) * settings_.eps);
+  const std::size_t unreachable = count - access_.reachable(0);
+  all_ = unreachable <= spare + sampling_error(count, settings_.eps);
+  access_.set_spare(0, spare + sampling_error(count, settings_.eps) + (all_ ? 0 : unreachable));
+}
 
-  const double whole = model_.geometry.total_area;
-  const double allowed = std::max(settings_.eps, k_resolved_share) * whole;
+ChosenDirections Chooser::run() {
+  ChosenDirections chosen;
+  add_even_samples(chosen);
+  const double allowed = std::max(settings_.eps, k_resolved_share) * model_.geometry.total_area;
   Choice choice;
   for (int round = 0; round < k_most_rounds; ++round) {
     progress_.report("choosing directions", static_cast<double>(round) / k_most_rounds);
@@ -217,8 +233,8 @@ ChosenDirections Chooser::run() {
     if (chosen.releases_all) break;
     const double missed = add_left_samples(choice.columns, chosen.left, chosen.left_area, allowed);
     chosen.unreachable_area = chosen.left_area - missed;
-    chosen.enough = choice.enough && missed <= allowed;
-    if (chosen.enough || !choice.enough) break;
+    if (!choice.enough || (!all_ && missed <= allowed)) break;
+    chosen.enough = false;  // unless another round finds better
   }
   chosen.optimal = choice.optimal && chosen.enough;
   for (const std::size_t column : choice.columns) {

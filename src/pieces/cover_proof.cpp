@@ -14,7 +14,7 @@ namespace moldlight {
 namespace {
 
 constexpr int k_first_divisions = 2;  // of the octants
-constexpr std::size_t k_proof_nodes = 5000;
+constexpr std::size_t k_proof_nodes = 20'000;
 
 class CellCover {
  public:

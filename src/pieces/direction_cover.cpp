@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 namespace moldlight {
 
@@ -10,21 +11,12 @@ namespace {
 
 constexpr std::size_t k_word = 64;
 
-std::size_t count_in(const SampleGroup& group, const BitSet& set) {
-  const std::size_t end = (group.first + group.count + k_word - 1) / k_word;
-  std::size_t sum = 0;
-  for (std::size_t k = group.first / k_word; k < end; ++k)
-    sum += static_cast<std::size_t>(std::popcount(set.words()[k]));
-  return sum;
+std::size_t count_in(const SampleGroup& group, const BitSet& set, const BitSet& other) {
+  const std::size_t first = group.first / k_word, end = (group.first + group.count + k_word - 1) / k_word;
+  return common_bits(set.words().data() + first, other.words().data() + first, end - first);
 }
 
-std::size_t count_in(const SampleGroup& group, const BitSet& set, const BitSet& other) {
-  const std::size_t end = (group.first + group.count + k_word - 1) / k_word;
-  std::size_t sum = 0;
-  for (std::size_t k = group.first / k_word; k < end; ++k)
-    sum += static_cast<std::size_t>(std::popcount(set.words()[k] & other.words()[k]));
-  return sum;
-}
+std::size_t count_in(const SampleGroup& group, const BitSet& set) { return count_in(group, set, set); }
 
 BitSet all_samples(const CoverTask& task) {
   BitSet all(task.groups.empty() ? 0 : task.groups.back().first + task.groups.back().count);
@@ -94,9 +86,7 @@ bool CoverSearch::drop_unreachable(State& state, std::size_t& rarest) const {
   bool enough = true;
   BitSet dropped(state.open.words().size() * k_word);
   state.open.for_each([&](std::size_t sample) {
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < state.allowed.words().size(); ++k)
-      count += static_cast<std::size_t>(std::popcount(rows_[sample].words()[k] & state.allowed.words()[k]));
+    const std::size_t count = rows_[sample].count_with(state.allowed);
     if (count == 0) {
       dropped.set(sample);
       std::size_t& spare = state.spare[group_of(sample)];
@@ -144,11 +134,11 @@ bool CoverSearch::branch(State state, std::size_t rest) {
   if (progress_.cancelled()) throw Cancelled();
   if (satisfied(state)) return true;
   if (rest == 0 || ++nodes_ > most_nodes_) return false;
+  if (rest == 1) return choose_last(state);
   std::size_t rarest = 0;
   if (!drop_unreachable(state, rarest)) return false;
   std::vector<std::size_t> gains;
   if (!may_suffice(state, rest, gains)) return false;
-  if (rest == 1) return choose_last(state, gains);
   std::vector<std::size_t> order;
   rows_[rarest].for_each([&](std::size_t c) {
     if (state.allowed.has(c)) order.push_back(c);
@@ -166,15 +156,22 @@ bool CoverSearch::branch(State state, std::size_t rest) {
   return branch(std::move(state), rest);  // gives the sample up: nothing reaches it any more
 }
 
-bool CoverSearch::choose_last(const State& state, const std::vector<std::size_t>& gains) {
-  std::size_t best = columns_.size();
+/// The column that reaches most of those that reach enough.
+bool CoverSearch::choose_last(const State& state) {
+  std::vector<std::size_t> wanted;
+  for (std::size_t g = 0; g < task_.groups.size(); ++g)
+    wanted.push_back(count_in(task_.groups[g], state.open));
+  std::size_t best = columns_.size(), most = 0;
   state.allowed.for_each([&](std::size_t c) {
-    if (best < columns_.size() && gains[c] <= gains[best]) return;
+    std::size_t sum = 0;
     for (std::size_t g = 0; g < task_.groups.size(); ++g) {
-      const SampleGroup& group = task_.groups[g];
-      if (count_in(group, state.open, column(c)) + state.spare[g] < count_in(group, state.open)) return;
+      const std::size_t gain = count_in(task_.groups[g], state.open, column(c));
+      if (gain + state.spare[g] < wanted[g]) return;
+      sum += gain;
     }
+    if (best < columns_.size() && sum <= most) return;
     best = c;
+    most = sum;
   });
   if (best == columns_.size()) return false;
   chosen_.push_back(best);
@@ -192,20 +189,23 @@ bool leaves_enough(const CoverTask& task, const BitSet& left) {
                              [&](const SampleGroup& group) { return count_in(group, left) <= group.spare; });
 }
 
-DirectionCover greedy_cover(const CoverTask& task, const CoverChoice& choice) {
+DirectionCover greedy_cover(const CoverTask& task, const CoverChoice& choice,
+                            const std::function<int(std::size_t)>& liking) {
+  constexpr double k_as_much = 0.9;
   DirectionCover cover{.columns = choice.forced, .found = true, .complete = false};
   BitSet left = left_by(task, choice.forced);
   while (cover.columns.size() < choice.most) {
-    std::size_t best = 0, most = 0;
-    for (std::size_t c = 0; c < task.columns.size(); ++c) {
-      std::size_t gain = 0;
-      for (const SampleGroup& group : task.groups) gain += count_in(group, left, task.columns[c]);
-      if (gain > most) {
-        most = gain;
-        best = c;
-      }
-    }
+    std::vector<std::size_t> gains(task.columns.size(), 0);
+    for (std::size_t c = 0; c < gains.size(); ++c) gains[c] = left.count_with(task.columns[c]);
+    const std::size_t most = gains.empty() ? 0 : std::ranges::max(gains);
     if (most == 0) break;
+    std::size_t best = gains.size();
+    for (std::size_t c = 0; c < gains.size(); ++c) {
+      if (static_cast<double>(gains[c]) < k_as_much * static_cast<double>(most)) continue;
+      if (best == gains.size() ||
+          std::pair(liking(c), most - gains[c]) < std::pair(liking(best), most - gains[best]))
+        best = c;
+    }
     cover.columns.push_back(best);
     left.remove(task.columns[best]);
   }

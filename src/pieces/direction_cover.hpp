@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -62,7 +63,7 @@ class CoverSearch {
   [[nodiscard]] bool satisfied(const State& state) const;
   [[nodiscard]] bool may_suffice(const State& state, std::size_t rest, std::vector<std::size_t>& gains) const;
   [[nodiscard]] bool branch(State state, std::size_t rest);
-  [[nodiscard]] bool choose_last(const State& state, const std::vector<std::size_t>& gains);
+  [[nodiscard]] bool choose_last(const State& state);
 
   CoverTask task_;
   const Progress& progress_;
@@ -72,8 +73,9 @@ class CoverSearch {
   std::size_t nodes_ = 0, most_nodes_ = 0;
 };
 
-/// Columns one after the other, each that which reaches most of what is left, first of equals, until nothing
-/// more is reached or there are `most`.
-[[nodiscard]] DirectionCover greedy_cover(const CoverTask& task, const CoverChoice& choice);
+/// Columns one after the other, until nothing more is reached or there are `most`: of those that reach nine
+/// tenths of what any does of what is left, the one of least `liking`, then that which reaches most.
+[[nodiscard]] DirectionCover greedy_cover(const CoverTask& task, const CoverChoice& choice,
+                                          const std::function<int(std::size_t)>& liking);
 
 }  // namespace moldlight

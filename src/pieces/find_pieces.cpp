@@ -16,13 +16,14 @@ namespace moldlight {
 
 namespace {
 
-/// Every so many of the chooser's samples is one of the proof's.
-constexpr std::size_t k_proof_step = 5;
+/// So many of the chooser's samples are asked for a proof, spread evenly among them.
+constexpr std::size_t k_proof_samples = 1600;
 constexpr std::size_t k_air_points = 1 << 15U;
 
 /// Excludes one direction fewer than were found; a surface that is closed asks for two in any case.
 void prove(const PartModel& model, const ChosenDirections& chosen, const Progress& progress,
            PiecesResult& result) {
+  progress.report("proving", 0.0);
   const ProofPart part{.mesh = model.part.mesh,
                        .geometry = model.geometry,
                        .adjacency = model.adjacency,
@@ -30,21 +31,25 @@ void prove(const PartModel& model, const ChosenDirections& chosen, const Progres
                        .rays = model.rays()};
   SurfaceSamples some;
   std::size_t unreachable = 0;
-  for (std::size_t k = 0; k < chosen.samples.size(); k += k_proof_step) {
-    some.samples.push_back(chosen.samples[k].sample);
-    unreachable += chosen.samples[k].reachable ? 0 : 1;
+  const std::size_t wanted = std::min(k_proof_samples, chosen.samples.size());
+  for (std::size_t k = 0; k < wanted; ++k) {
+    const JudgedSample& judged = chosen.samples[k * chosen.samples.size() / wanted];
+    some.samples.push_back(judged.sample);
+    unreachable += judged.reachable ? 0 : 1;
   }
   const auto count = static_cast<double>(some.samples.size());
   const double spare = count * result.settings.eps;
+  // Where candidates release all but eps, so it is asked of any directions.
+  if (static_cast<double>(unreachable) <= spare) unreachable = 0;
   result.proof_samples = some.samples.size();
-  // By their error more than eps may be left of the samples where it is not of the surface.
-  result.proof = prove_cover(
-      part, sample_elements(part, some),
-      {.query = {.tau_deg = result.query.tau_deg, .lateral = result.query.lateral},
-       .most = chosen.directions.size() - 1,
-       .spare = unreachable +
-                static_cast<std::size_t>(spare + 2.0 * std::sqrt(spare * (1.0 - result.settings.eps)))},
-      progress);
+  // By their error, once its standard deviation, more may be left of the samples than of the surface.
+  result.proof =
+      prove_cover(part, sample_elements(part, some),
+                  {.query = {.tau_deg = result.query.tau_deg, .lateral = result.query.lateral},
+                   .most = chosen.directions.size() - 1,
+                   .spare = unreachable +
+                            static_cast<std::size_t>(spare + std::sqrt(spare * (1.0 - result.settings.eps)))},
+                  progress);
   result.lower_bound = result.proof.excluded + 1;
 }
 
@@ -103,7 +108,7 @@ PiecesResult find_pieces(const PartModel& model, const MethodSettings& method, c
   result.places = left_places(model, chosen.left);
   std::vector<glm::dvec3> directions;
   for (const PullLine& line : chosen.directions) {
-    result.directions.push_back({.direction = line.direction, .name = line.name});
+    result.directions.push_back({.direction = line.direction + 0.0, .name = line.name});  // no -0
     directions.push_back(line.direction);
   }
   if (!directions.empty()) {

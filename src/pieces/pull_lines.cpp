@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "mold/direction.hpp"
 #include "sweep/candidates/candidate_sources.hpp"
@@ -16,6 +18,7 @@ namespace moldlight {
 namespace {
 
 constexpr std::size_t k_even_lines = 250, k_most_of_a_source = 30, k_most_edge_lines = 60;
+constexpr int k_round_deg = 15;
 constexpr double k_same_line_deg = 0.02;
 /// Edges are put together where their lines agree to a thousandth.
 constexpr double k_edge_step = 1e-3;
@@ -47,6 +50,26 @@ std::vector<Candidate> edge_candidates(const PartModel& model) {
   return candidates;
 }
 
+/// Every 15 degrees between two axes of the file, if both are canonical.
+void add_round_lines(std::span<const Candidate> candidates, std::vector<PullLine>& lines) {
+  std::vector<glm::dvec3> axes;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.canonical && nearest_axis(candidate.direction).is_met())
+      axes.push_back(candidate.direction);
+  }
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    for (std::size_t b = a + 1; b < axes.size(); ++b) {
+      for (int deg = k_round_deg; deg < 180; deg += k_round_deg) {
+        if (deg == 90) continue;
+        const double angle = glm::radians(static_cast<double>(deg));
+        const glm::dvec3 line =
+            half_sphere(glm::normalize(std::cos(angle) * axes[a] + std::sin(angle) * axes[b]));
+        lines.push_back({line, "round angle between axes", LineLiking::round});
+      }
+    }
+  }
+}
+
 std::string name_of(const Candidate& candidate) {
   const NearestAxis axis = nearest_axis(candidate.direction);
   if (axis.is_met()) return axis.name;
@@ -69,7 +92,9 @@ std::vector<PullLine> pull_lines(const PartModel& model, const PiecesSettings& s
   std::vector<Candidate> found = find_candidates(model, options, progress);
   std::vector<Candidate> edges = edge_candidates(model);
   found.insert(found.end(), edges.begin(), edges.end());
-  for (const Candidate& candidate : merge_candidates(std::move(found), k_same_line_deg)) {
+  found = merge_candidates(std::move(found), k_same_line_deg);
+  add_round_lines(found, lines);
+  for (const Candidate& candidate : found) {
     const bool feature =
         candidate.kind() == CandidateKind::axis || candidate.kind() == CandidateKind::revolution ||
         candidate.kind() == CandidateKind::plane || candidate.kind() == CandidateKind::perpendicular;

@@ -14,9 +14,9 @@
 namespace moldlight {
 
 /// How much a toolmaker likes a line: one that is given or that the shape of the part names; one that
-/// features speak for; any other.
-enum class LineLiking : std::uint8_t { named, feature, other };
-inline constexpr int k_line_likings = 3;
+/// features speak for; one at a round angle between axes; any other.
+enum class LineLiking : std::uint8_t { named, feature, round, other };
+inline constexpr int k_line_likings = 4;
 
 struct PullLine {
   glm::dvec3 direction{0, 0, 1};  // unit
@@ -25,8 +25,9 @@ struct PullLine {
 };
 
 /// Fixed directions first, in their order and sense, then those proposed, then canonical ones, those of the
-/// sweep's sources (sweep/candidates), edges, which are the crosses of neighbouring normals, and an even set.
-/// Throws UsageError for a direction of no length, Cancelled.
+/// sweep's sources (sweep/candidates), edges, which are the crosses of neighbouring normals, lines at every
+/// 15 degrees between axes that are canonical, and an even set. Throws UsageError for a direction of no
+/// length, Cancelled.
 [[nodiscard]] std::vector<PullLine> pull_lines(const PartModel& model, const PiecesSettings& settings,
                                                const Progress& progress);
 

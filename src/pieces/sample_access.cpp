@@ -16,8 +16,8 @@ namespace moldlight {
 SampleAccess::SampleAccess(const PartModel& model, const ExactQuery& query, std::span<const PullLine> lines)
     : model_(model), query_(query), lines_(lines), columns_(2 * lines.size()) {}
 
-void SampleAccess::add(std::span<const SurfaceSample> samples, std::size_t spare,
-                       std::span<const std::size_t> blocked, const Progress& progress) {
+void SampleAccess::add(std::span<const SurfaceSample> samples, std::span<const std::size_t> blocked,
+                       const Progress& progress) {
   const std::size_t first =
       groups_.empty() ? 0 : (groups_.back().first + groups_.back().count + 63) / 64 * 64;
   for (BitSet& column : columns_) column.resize(first + samples.size());
@@ -47,7 +47,7 @@ void SampleAccess::add(std::span<const SurfaceSample> samples, std::size_t spare
   std::size_t count = 0;
   for (std::size_t k = 0; k < samples.size(); ++k) count += reached.has(first + k) ? 1 : 0;
   reachable_.push_back(count);
-  groups_.push_back({.first = first, .count = samples.size(), .spare = spare + samples.size() - count});
+  groups_.push_back({.first = first, .count = samples.size()});
 }
 
 }  // namespace moldlight

@@ -27,9 +27,9 @@ class SampleAccess {
   SampleAccess(const PartModel& model, const ExactQuery& query, std::span<const PullLine> lines);
 
   /// Asks for all lines on all cores of the calling thread's TBB arena; the same for any number of threads.
-  /// Of a group's samples so many more may be left as no direction reaches. `blocked`: columns that are known
-  /// not to reach any of them, whatever the rays say. Throws Cancelled.
-  void add(std::span<const SurfaceSample> samples, std::size_t spare, std::span<const std::size_t> blocked,
+  /// `blocked`: columns that are known not to reach any of them, whatever the rays say. None of the group may
+  /// be left until set_spare(). Throws Cancelled.
+  void add(std::span<const SurfaceSample> samples, std::span<const std::size_t> blocked,
            const Progress& progress);
 
   [[nodiscard]] CoverTask task() const { return {groups_, columns_}; }

@@ -134,6 +134,7 @@ class HardShapes : public testing::Test {
         {"actions", part, "--direction", "0.133,0.546,-0.914"},
         {"mold", part, "--direction", "z", "--fill-undercut", "--out", out},
         {"sweep", part, "--top", "3"},
+        {"pieces", part},
         {"compare", part, part, "--direction", "z", "--align"}};
     for (const auto& command : commands) {
       std::vector<std::string> words = command;

@@ -1,5 +1,7 @@
 #include "support/proof_checks.hpp"
 
+#include <cmath>
+
 #include <glm/geometric.hpp>
 
 #include "mold/draft.hpp"
@@ -57,7 +59,41 @@ bool undercut_by_rays(const ProofModel& model, FacetIndex facet, const glm::dvec
   return blocked(beside, direction) && blocked(beside, -direction);
 }
 
+/// Along the direction alone.
+bool blocked_by_rays(const ProofModel& model, FacetIndex facet, const glm::dvec3& point,
+                     const glm::dvec3& direction) {
+  const ProofQuery query = model.query();
+  const glm::dvec3& normal = model.part().geometry.normals[facet];
+  const FacetClass facing = facet_class(normal, direction, query.tau_deg);
+  if (facing == FacetClass::down) return true;
+  const glm::vec3 start =
+      facing == FacetClass::up
+          ? glm::vec3(point)
+          : lateral_point(glm::vec3(point), normal, {.direction = direction, .lateral = query.lateral});
+  return model.part().rays.first_hit(start, glm::vec3(direction), true).has_value();
+}
+
 }  // namespace
+
+RaysChecked check_blocked_along(const ProofModel& model, std::span<const SurfaceElement> elements,
+                                std::size_t wanted, std::uint32_t seed) {
+  CertainUndercut tester(model.part(), model.query());
+  Random random(seed);
+  RaysChecked checked;
+  for (std::size_t tried = 0; checked.certain < wanted && tried < 40 * wanted; ++tried) {
+    SphereCell cell = random_cell(2 + static_cast<int>(random.below(7)), random);
+    const auto& [a, b, c] = cell.corners();
+    if (random.chance(0.5)) cell = SphereCell({-c, -b, -a});
+    const SurfaceElement& element = elements[random.below(elements.size())];
+    if (glm::dot(model.part().geometry.normals[element.facet], cell.centre()) < -std::sin(cell.radius_rad()))
+      continue;
+    if (!tester.blocked_along(element, cell)) continue;
+    ++checked.certain;
+    const glm::dvec3 point = random_point(element, random);
+    if (!blocked_by_rays(model, element.facet, point, random_direction(cell, random))) ++checked.wrong;
+  }
+  return checked;
+}
 
 RaysChecked check_certain(const ProofModel& model, std::span<const SurfaceElement> elements,
                           std::size_t wanted, std::size_t directions, std::uint32_t seed) {

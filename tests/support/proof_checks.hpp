@@ -18,4 +18,10 @@ struct RaysChecked {
 [[nodiscard]] RaysChecked check_certain(const ProofModel& model, std::span<const SurfaceElement> elements,
                                         std::size_t wanted, std::size_t directions, std::uint32_t seed);
 
+/// The same of what blocked_along() says of cells of either half of the sphere, one direction each; elements
+/// that face away from all of a cell are passed over.
+[[nodiscard]] RaysChecked check_blocked_along(const ProofModel& model,
+                                              std::span<const SurfaceElement> elements, std::size_t wanted,
+                                              std::uint32_t seed);
+
 }  // namespace moldlight::test

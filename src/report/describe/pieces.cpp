@@ -104,6 +104,7 @@ Report pieces_report(const ReportContext& context, const PiecesResult& result) {
   Report report =
       begin_report(context, "Mold of several pieces",
                    result.directions.empty() ? glm::dvec3(0, 0, 1) : result.directions.front().direction);
+  report.subject = "along " + plural(result.count(), "direction");
   report.sentence = with_minus(pieces_sentence(model, result));
   report.tone = !result.releases_all ? Tone::bad : result.count() == 2 ? Tone::good : Tone::attention;
   std::size_t patches = 0;
@@ -113,9 +114,9 @@ Report pieces_report(const ReportContext& context, const PiecesResult& result) {
         "The directions form {} patches of surface that do not touch, so more bodies may be needed.",
         patches));
   if (result.enclosed_air && *result.enclosed_air > 2.0 * result.enclosed_error)
-    report.lead.push_back(fmt::format("{} {} of air beside the part is blocked along all of them.",
-                                      style.text(FigureKind::volume, *result.enclosed_air),
-                                      style.unit(FigureKind::volume)));
+    report.lead.push_back(
+        fmt::format("{} {} of air beside the part is hidden along all of them, and no piece fills it.",
+                    style.text(FigureKind::volume, *result.enclosed_air), style.unit(FigureKind::volume)));
   if (result.count() > 0) report.sections.push_back(directions_section(context, result));
   if (result.left_area > 1e-4 * model.geometry.total_area)
     report.sections.push_back(left_section(context, result));

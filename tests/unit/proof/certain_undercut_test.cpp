@@ -38,6 +38,18 @@ TEST(CertainUndercut, OfPointsIsBlockedAlongEveryDirection) {
   }
 }
 
+TEST(CertainUndercut, InOneSenseIsBlockedAlongEveryDirection) {
+  for (const test::Shape& shape : {test::snap_hook({}), test::t_slot({}), test::cup_with_side_hole({}),
+                                   test::hollow_sphere({}), test::dovetail_slot({})}) {
+    const test::ProofModel model(test::model_of(test::subdivided(shape.mesh, 600)));
+    for (const auto& elements : {model.samples(5000), model.pieces(100).pieces}) {
+      const test::RaysChecked checked = test::check_blocked_along(model, elements, k_checks, 12);
+      EXPECT_GT(checked.certain, k_checks / 20) << shape.name;
+      EXPECT_EQ(checked.wrong, 0U) << shape.name << ", of " << checked.certain;
+    }
+  }
+}
+
 TEST(CertainUndercut, OfTrianglesIsBlockedFromEveryPoint) {
   for (const test::Shape& shape : {test::snap_hook({}), test::t_slot({}), test::cup_with_side_hole({}),
                                    test::hollow_sphere({}), test::dovetail_slot({})}) {
