@@ -13,8 +13,8 @@ namespace moldlight {
 
 namespace {
 
-constexpr int k_first_divisions = 2;  // of the octants
-constexpr std::size_t k_proof_nodes = 20'000;
+constexpr int k_first_divisions = 2;           // of the octants
+constexpr std::size_t k_proof_nodes = 25'000;  // of all searches for one number of directions
 
 class CellCover {
  public:
@@ -82,26 +82,27 @@ void CellCover::divide(const std::vector<std::size_t>& divided) {
 
 bool CellCover::excludes(std::size_t most, std::vector<OpenCell>& open) {
   const std::vector<SampleGroup> groups = {{.first = 0, .count = elements_.size(), .spare = task_.spare}};
-  while (true) {
+  for (std::size_t nodes_left = k_proof_nodes; nodes_left > 0;) {
     std::vector<std::size_t> all(cells_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     const DirectionCover cover =
-        CoverSearch({groups, possible_}, all, progress_).find({.most = most, .most_nodes = k_proof_nodes});
-    if (!cover.found && cover.complete) return true;
+        CoverSearch({groups, possible_}, all, progress_).find({.most = most, .most_nodes = nodes_left});
+    if (!cover.found) return cover.complete;
+    nodes_left -= std::min(nodes_left, cover.nodes);
+    open.clear();
+    for (const std::size_t c : cover.columns) open.push_back({cells_[c].centre(), cells_[c].radius_deg()});
     double widest = 0.0;
     for (const std::size_t c : cover.columns) widest = std::max(widest, cells_[c].radius_deg());
     std::vector<std::size_t> divided;
     for (const std::size_t c : cover.columns) {
       if (cells_[c].radius_deg() > 0.6 * widest) divided.push_back(c);
     }
-    if (widest < 2.0 * task_.finest_deg || cells_.size() + 3 * divided.size() > task_.most_cells) {
-      open.clear();
-      for (const std::size_t c : cover.columns) open.push_back({cells_[c].centre(), cells_[c].radius_deg()});
+    if (widest < 2.0 * task_.finest_deg || cells_.size() + 3 * divided.size() > task_.most_cells)
       return false;
-    }
     divide(divided);
     progress_.report("proving", static_cast<double>(cells_.size()) / static_cast<double>(task_.most_cells));
   }
+  return false;
 }
 
 CoverProof CellCover::run() {

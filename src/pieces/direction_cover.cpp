@@ -68,6 +68,7 @@ DirectionCover CoverSearch::find(const CoverChoice& choice) {
   for (const SampleGroup& group : task_.groups) state.spare.push_back(group.spare);
   cover.found = branch(std::move(state), choice.most - choice.forced.size());
   cover.complete = nodes_ <= most_nodes_;
+  cover.nodes = nodes_;
   if (!cover.found) return cover;
   cover.columns = choice.forced;
   for (const std::size_t c : chosen_) cover.columns.push_back(columns_[c]);

@@ -31,7 +31,8 @@ struct CoverChoice {
 struct DirectionCover {
   std::vector<std::size_t> columns;  // forced ones first; empty where nothing was found
   bool found = false;
-  bool complete = true;  // the search came to its end: where nothing was found there is nothing
+  bool complete = true;   // the search came to its end: where nothing was found there is nothing
+  std::size_t nodes = 0;  // of the search
 };
 
 /// Samples of all groups that none of the columns reaches.

@@ -18,6 +18,8 @@ namespace {
 
 /// So many of the chooser's samples are asked for a proof, spread evenly among them.
 constexpr std::size_t k_proof_samples = 1600;
+/// Where the most that are allowed are not enough, so many are tried to be excluded.
+constexpr std::size_t k_most_excluded_of_many = 3;
 constexpr std::size_t k_air_points = 1 << 15U;
 
 /// Excludes one direction fewer than were found; a surface that is closed asks for two in any case.
@@ -46,7 +48,8 @@ void prove(const PartModel& model, const ChosenDirections& chosen, const Progres
   result.proof =
       prove_cover(part, sample_elements(part, some),
                   {.query = {.tau_deg = result.query.tau_deg, .lateral = result.query.lateral},
-                   .most = chosen.directions.size() - 1,
+                   .most = chosen.enough ? chosen.directions.size() - 1
+                                         : std::min(chosen.directions.size(), k_most_excluded_of_many),
                    .spare = unreachable +
                             static_cast<std::size_t>(spare + std::sqrt(spare * (1.0 - result.settings.eps)))},
                   progress);

@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::size_t k_even_lines = 250, k_most_of_a_source = 30, k_most_edge_lines = 60;
 constexpr int k_round_deg = 15;
+/// What is so near to a line that is named is only tried in its place.
+constexpr double k_beside_deg = 5.0;
 constexpr double k_same_line_deg = 0.02;
 /// Edges are put together where their lines agree to a thousandth.
 constexpr double k_edge_step = 1e-3;
@@ -94,14 +96,19 @@ std::vector<PullLine> pull_lines(const PartModel& model, const PiecesSettings& s
   found.insert(found.end(), edges.begin(), edges.end());
   found = merge_candidates(std::move(found), k_same_line_deg);
   add_round_lines(found, lines);
+  const auto beside_named = [&](const Candidate& candidate) {
+    return std::ranges::any_of(found, [&](const Candidate& other) {
+      return other.canonical && line_angle_deg(other.direction, candidate.direction) < k_beside_deg;
+    });
+  };
   for (const Candidate& candidate : found) {
     const bool feature =
         candidate.kind() == CandidateKind::axis || candidate.kind() == CandidateKind::revolution ||
         candidate.kind() == CandidateKind::plane || candidate.kind() == CandidateKind::perpendicular;
     lines.push_back({candidate.direction, name_of(candidate),
-                     candidate.canonical ? LineLiking::named
-                     : feature           ? LineLiking::feature
-                                         : LineLiking::other});
+                     candidate.canonical                   ? LineLiking::named
+                     : feature && !beside_named(candidate) ? LineLiking::feature
+                                                           : LineLiking::other});
   }
   std::ranges::stable_sort(lines.begin() + static_cast<std::ptrdiff_t>(settings.fixed.size()), lines.end(),
                            {}, &PullLine::liking);
