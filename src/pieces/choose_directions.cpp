@@ -17,8 +17,9 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::size_t k_samples = 4000, k_samples_of_left = 512;
+constexpr std::size_t k_samples = 4000, k_samples_of_left = 1024;
 constexpr int k_most_rounds = 40;
+/// Of searches: for one number of directions in all, for one pair, and for covers by liked lines.
 constexpr std::size_t k_nodes = 20'000, k_nodes_of_a_pair = 300, k_nodes_of_liked = 3000;
 /// What exact areas distinguish, as a share of the surface.
 constexpr double k_resolved_share = 1e-6;
@@ -27,9 +28,9 @@ constexpr std::size_t k_most_pairs = 40;
 constexpr std::size_t k_same_samples = 4;
 constexpr double k_same_depth = 0.01;
 
-/// Twice the standard deviation of how many of `count` samples are of a share of the surface.
+/// Standard deviation of how many of `count` samples are of a share of the surface.
 std::size_t sampling_error(std::size_t count, double share) {
-  return static_cast<std::size_t>(2.0 * std::sqrt(static_cast<double>(count) * share * (1.0 - share)));
+  return static_cast<std::size_t>(std::sqrt(static_cast<double>(count) * share * (1.0 - share)));
 }
 
 class Chooser {
@@ -89,8 +90,9 @@ class Chooser {
   std::vector<std::size_t> forced_;
   std::vector<double> depths_;  // of the part along each line, share of its diagonal
   std::size_t least_ = 1;       // fewer directions were excluded
-  bool all_ = true;             // candidates release all but eps
-  bool certain_ = true;         // by searches that came to their end
+  std::size_t nodes_left_ = k_nodes;
+  bool all_ = true;      // candidates release all but eps
+  bool certain_ = true;  // by searches that came to their end
 };
 
 /// With an opposite pair; of several that which leaves least by itself, then the flattest.
@@ -171,9 +173,10 @@ Chooser::Choice Chooser::choose() {
   const CoverTask task = access_.task();
   CoverSearch search(task, columns_liked(k_line_likings), progress_);
   const auto most = static_cast<std::size_t>(settings_.most);
-  for (; least_ <= most; ++least_) {
+  for (; least_ <= most; ++least_, nodes_left_ = k_nodes) {
     if (least_ < forced_.size()) continue;
-    const DirectionCover cover = search.find({.forced = forced_, .most = least_, .most_nodes = k_nodes});
+    const DirectionCover cover = search.find({.forced = forced_, .most = least_, .most_nodes = nodes_left_});
+    nodes_left_ -= std::min(nodes_left_, cover.nodes);
     if (cover.found) return {.columns = liked_cover(cover.columns), .optimal = certain_};
     certain_ = certain_ && cover.complete;
   }

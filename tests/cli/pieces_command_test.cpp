@@ -1,0 +1,114 @@
+// What `moldlight pieces` prints, writes and refuses.
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/small_part.hpp"
+
+namespace moldlight {
+namespace {
+
+using test::json_of;
+using test::run_moldlight;
+using test::SmallPart;
+
+TEST(PiecesCommand, SaysInWordsHowManyPiecesAndWhich) {
+  const SmallPart part;
+  const auto run = run_moldlight({"pieces", part.file(), "--unit", "mm"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(run.out.starts_with("The mold opens along ") || run.out.starts_with("Two pieces release"))
+      << run.out;
+  EXPECT_NE(run.out.find("Directions, in the order of removal"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("Seams between the pieces"), std::string::npos) << run.out;
+}
+
+TEST(PiecesCommand, JsonHasAllKeysAndAgreesWithItself) {
+  const SmallPart part;
+  const auto json = json_of(run_moldlight({"pieces", part.file(), "--json", "-"}).out);
+  EXPECT_EQ(json["schema"], "moldlight.pieces/1");
+  for (const std::string key : {"directions", "count", "lower_bound", "proved", "left", "seams", "pieces",
+                                "void", "verdict", "optimal", "elapsed_s", "settings", "part"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  ASSERT_EQ(json["count"], json["directions"].size());
+  EXPECT_LE(json["lower_bound"], json["count"]);
+  EXPECT_EQ(json["proved"].get<bool>(), json["lower_bound"] == json["count"]);
+  double area = json["left"]["area"];
+  for (std::size_t k = 0; k < json["directions"].size(); ++k) {
+    EXPECT_EQ(json["directions"][k]["order"], k + 1);
+    area += json["directions"][k]["area"].get<double>();
+    const auto patches =
+        std::ranges::count_if(json["pieces"], [&](const auto& piece) { return piece["order"] == k + 1; });
+    EXPECT_EQ(json["directions"][k]["components"], static_cast<std::size_t>(patches));
+  }
+  const double whole = json["part"]["area"];
+  EXPECT_NEAR(area, whole, 1e-3 * whole);
+}
+
+TEST(PiecesCommand, IsTheSameWithAnyNumberOfThreads) {
+  const SmallPart part;
+  const auto without_time = [](nlohmann::json json) {
+    json.erase("elapsed_s");
+    return json.dump();
+  };
+  const auto once = json_of(run_moldlight({"pieces", part.file(), "--json", "-"}).out);
+  test::ProcessSettings one_thread;
+  one_thread.environment = {"MOLDLIGHT_THREADS=1"};
+  const auto again = json_of(run_moldlight({"pieces", part.file(), "--json", "-"}, one_thread).out);
+  EXPECT_EQ(without_time(once), without_time(again));
+}
+
+TEST(PiecesCommand, WritesThePartInColoursAndTheSeamsAsLines) {
+  const SmallPart part;
+  for (const std::string extension : {"ply", "obj", "stl"}) {
+    const auto run = run_moldlight({"pieces", part.file(), "--mesh", part.output("pieces." + extension)});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_GT(test::file_bytes(part.output("pieces." + extension)).size(), 1000U);
+  }
+  EXPECT_NE(test::file_bytes(part.output("pieces.obj")).find("piece_1"), std::string::npos);
+  std::vector<std::string> words = {"pieces", part.file()};
+  for (const std::string extension : {"dxf", "svg", "obj", "csv", "step"})
+    words.insert(words.end(), {"--lines", part.output("seams." + extension)});
+  const auto run = run_moldlight(words);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(test::file_bytes(part.output("seams.dxf")).find("SEAM"), std::string::npos);
+  EXPECT_NE(test::file_bytes(part.output("seams.csv")).find("1,seam,"), std::string::npos);
+  EXPECT_NE(test::file_bytes(part.output("seams.step")).find("POLYLINE('seam'"), std::string::npos);
+}
+
+TEST(PiecesCommand, TakesDirectionsOfTheUser) {
+  const SmallPart part;
+  const auto fixed =
+      json_of(run_moldlight({"pieces", part.file(), "--fixed", "-y", "--fixed", "0,0,3", "--json", "-"}).out);
+  ASSERT_GE(fixed["directions"].size(), 2U);
+  EXPECT_EQ(fixed["directions"][0]["direction"], (std::array<double, 3>{0.0, -1.0, 0.0}));
+  EXPECT_EQ(fixed["directions"][1]["direction"], (std::array<double, 3>{0.0, 0.0, 1.0}));
+  std::ofstream(part.output("more.csv")) << "0.1,0.2,1\n1,1,0\n";
+  const auto more = run_moldlight({"pieces", part.file(), "--directions", part.output("more.csv")});
+  EXPECT_EQ(more.exit_code, 0) << more.err;
+}
+
+TEST(PiecesCommand, RefusesWhatMakesNoSenseInOneLine) {
+  const SmallPart part;
+  const std::vector<std::pair<std::vector<std::string>, int>> refused = {
+      {{"pieces"}, 2},
+      {{"pieces", part.file(), "--eps", "2"}, 2},
+      {{"pieces", part.file(), "--max", "0"}, 2},
+      {{"pieces", part.file(), "--fixed", "0,0,0"}, 2},
+      {{"pieces", part.file(), "--max", "1", "--fixed", "x", "--fixed", "y"}, 2},
+      {{"pieces", part.file(), "--directions", part.output("none.csv")}, 1},
+      {{"pieces", part.file(), "--lines", part.output("seams.png")}, 2},
+      {{"pieces", part.output("none.stl")}, 1}};
+  for (const auto& [words, code] : refused) {
+    const auto run = run_moldlight(words);
+    EXPECT_EQ(run.exit_code, code) << words.back() << "\n" << run.err;
+    EXPECT_EQ(run.error_lines(), 1U) << run.err;
+    EXPECT_EQ(run.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace moldlight
