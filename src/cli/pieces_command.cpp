@@ -1,6 +1,7 @@
 // moldlight pieces: molds of more than two pieces.
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "io/mesh_writer.hpp"
 #include "parting/line_files.hpp"
 #include "pieces/pieces_report.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::cli {
 
@@ -37,7 +39,8 @@ int run(const PiecesFlags& flags, Console& console, const Progress& progress) {
   if (!flags.directions_file.empty()) settings.proposed = read_directions(flags.directions_file, progress);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   for (const std::string& warning : model->warnings) console.warning(warning);
-  const PiecesResult result = find_pieces(*model, flags.method, settings, progress);
+  Study study(model, {.query = {{}, flags.method}, .pieces = std::move(settings)});
+  const PiecesResult& result = study.find<PiecesResult>(progress);
   progress.report("writing", 0.0);
   if (!flags.mesh.empty()) write_pieces_mesh(flags.mesh, *model, result, flags.look.palette);
   for (const std::string& path : flags.lines) write_seams(path, *model, result);
@@ -57,8 +60,7 @@ void add_pieces_command(CLI::App& program, Request& request) {
   add_option_flags(*command, pieces_options(), flags->settings);
   add_file_flag(*command, flags->directions_file,
                 {"--directions", "FILE.csv", "Further directions to try from a file, one per line: x, y, z"});
-  for (const std::string_view key : {"tau_deg", "tolerance"})
-    add_option_flag(*command, option_named(method_options(), key), flags->method);
+  add_option_flags(*command, pieces_method_options(), flags->method);
   add_file_flag(*command, flags->mesh,
                 {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
                  "Write the split part, each facet in the colour of the piece that forms it. In OBJ, each "

@@ -44,6 +44,8 @@ class Chooser {
         access_(model, query, lines_),
         left_(model, query) {
     for (std::size_t k = 0; k < settings.fixed.size(); ++k) forced_.push_back(2 * k);
+    // Of a solid some surface faces away from any one direction, be it less than eps.
+    if (model.health.closed && settings.most > 1) least_ = 2;
     for (const PullLine& line : lines_) depths_.push_back(depth_along(line.direction));
   }
 
@@ -72,7 +74,7 @@ class Chooser {
     return columns;
   }
   [[nodiscard]] Choice choose();
-  [[nodiscard]] std::vector<std::size_t> liked_cover(std::vector<std::size_t> any);
+  [[nodiscard]] std::vector<std::size_t> liked_cover(std::vector<std::size_t> any, std::size_t most);
   [[nodiscard]] std::optional<std::vector<std::size_t>> with_pair(CoverSearch& search, int liking,
                                                                   std::size_t most) const;
   void replace_disliked(std::vector<std::size_t>& columns) const;
@@ -151,16 +153,16 @@ void Chooser::replace_disliked(std::vector<std::size_t>& columns) const {
   }
 }
 
-std::vector<std::size_t> Chooser::liked_cover(std::vector<std::size_t> any) {
+std::vector<std::size_t> Chooser::liked_cover(std::vector<std::size_t> any, std::size_t most) {
   const CoverTask task = access_.task();
   for (int liking = 0; liking < k_line_likings; ++liking) {
     CoverSearch search(task, columns_liked(liking), progress_);
-    if (auto pair = with_pair(search, liking, any.size())) {
+    if (auto pair = with_pair(search, liking, most)) {
       replace_disliked(*pair);
       return *pair;
     }
     const DirectionCover cover =
-        search.find({.forced = forced_, .most = any.size(), .most_nodes = k_nodes_of_liked});
+        search.find({.forced = forced_, .most = most, .most_nodes = k_nodes_of_liked});
     if (!cover.found) continue;
     any = cover.columns;
     break;
@@ -177,7 +179,7 @@ Chooser::Choice Chooser::choose() {
     if (least_ < forced_.size()) continue;
     const DirectionCover cover = search.find({.forced = forced_, .most = least_, .most_nodes = nodes_left_});
     nodes_left_ -= std::min(nodes_left_, cover.nodes);
-    if (cover.found) return {.columns = liked_cover(cover.columns), .optimal = certain_};
+    if (cover.found) return {.columns = liked_cover(cover.columns, least_), .optimal = certain_};
     certain_ = certain_ && cover.complete;
   }
   return {

@@ -53,7 +53,7 @@ void prove(const PartModel& model, const ChosenDirections& chosen, const Progres
                    .spare = unreachable +
                             static_cast<std::size_t>(spare + std::sqrt(spare * (1.0 - result.settings.eps)))},
                   progress);
-  result.lower_bound = result.proof.excluded + 1;
+  result.lower_bound = std::max<std::size_t>(result.proof.excluded + 1, model.health.closed ? 2 : 1);
 }
 
 /// What all pieces together leave in the part's box beside the part: points that are blocked along every

@@ -55,6 +55,8 @@ bool are_apart(const Bounds& a, const Bounds& b) {
 
 /// Polygons of less than this share of the part's area are rounding.
 constexpr double k_least_share = 1e-14;
+/// Lines whose regions are kept; each takes as much as the part.
+constexpr std::size_t k_most_kept = 12;
 
 }  // namespace
 
@@ -114,6 +116,7 @@ std::vector<LeftPolygon> LeftSurface::left_of(FacetIndex facet, std::span<const 
 
 std::vector<LeftPolygon> LeftSurface::left_by(std::span<const glm::dvec3> directions,
                                               const Progress& progress) {
+  if (lines_.size() > k_most_kept) lines_.clear();
   std::vector<Pull> pulls;
   for (const glm::dvec3& direction : directions) {
     const glm::dvec3 line = half_sphere(direction);

@@ -30,7 +30,7 @@ struct LeftPlace {
   Bounds bounds;
 };
 
-/// Finds the exact regions of a line when they are first asked for and keeps them.
+/// Finds the exact regions of a line when they are first asked for and keeps them for a while.
 class LeftSurface {
  public:
   /// `model` must outlive it; of the query the direction does not count.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -36,17 +37,31 @@ bool has_pair(const PiecesResult& result) {
 
 std::string names_of(const PiecesResult& result) {
   std::vector<std::string> names;
-  for (const PieceDirection& one : result.directions) names.push_back(direction_words(one.direction));
+  for (const PieceDirection& one : result.directions) names.push_back(pull_words(one.direction));
   return fmt::format("{}", fmt::join(names, "; "));
 }
 
 Json settings_json(const PiecesResult& result, double diagonal) {
   Json settings = {{"tau_deg", result.query.tau_deg}, {"tolerance", result.query.lateral * diagonal}};
   settings.update(options_json(pieces_options(), result.settings));
+  settings["directions"] = Json::array();
+  for (const glm::dvec3& direction : result.settings.proposed)
+    settings["directions"].push_back(point_json(direction));
   return settings;
 }
 
 }  // namespace
+
+std::string pull_words(const glm::dvec3& direction) {
+  constexpr double k_whole_deg = 1e-6;
+  const NearestAxis axis = nearest_axis(direction);
+  const bool between_two = std::ranges::min(std::array{std::abs(direction.x), std::abs(direction.y),
+                                                       std::abs(direction.z)}) < k_whole_deg;
+  if (axis.is_met() || !between_two || std::abs(axis.angle_deg - std::round(axis.angle_deg)) > k_whole_deg)
+    return direction_words(direction);
+  return fmt::format("{:.0f}° off {} (towards {})", axis.angle_deg, axis.name,
+                     lean_text(axis.axis, direction));
+}
 
 std::string pieces_state(const PiecesResult& result) {
   return !result.releases_all ? "left-over" : has_pair(result) ? "two-piece" : "pieces";
@@ -66,7 +81,9 @@ std::string pieces_sentence(const PartModel& model, const PiecesResult& result) 
                        plural(count, "direction"), names_of(result));
   } else if (has_pair(result)) {
     text = fmt::format("Two pieces release the part: it opens along {}.",
-                       direction_words(result.directions[0].direction));
+                       pull_words(result.directions[0].direction));
+  } else if (count == 2) {
+    text = fmt::format("Two pieces that are not opposite release the part: {}.", names_of(result));
   } else {
     text = fmt::format("The mold opens along {}: {}.", plural(count, "direction"), names_of(result));
   }

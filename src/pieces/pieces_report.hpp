@@ -11,6 +11,8 @@ namespace moldlight {
 
 /// "two-piece" (an opposite pair), "pieces" (any other number that releases all), "left-over".
 [[nodiscard]] std::string pieces_state(const PiecesResult& result);
+/// As direction_words(); "45° off z (towards +x)" where it lies between two axes at whole degrees.
+[[nodiscard]] std::string pull_words(const glm::dvec3& direction);
 /// One sentence or two, with full stops: how many pieces, and whether fewer are possible.
 [[nodiscard]] std::string pieces_sentence(const PartModel& model, const PiecesResult& result);
 /// "piece_1", in the order of removal.

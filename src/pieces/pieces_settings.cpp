@@ -21,6 +21,12 @@ std::span<const Option<PiecesSettings>> pieces_options() {
   return k_options;
 }
 
+std::span<const Option<MethodSettings>> pieces_method_options() {
+  static const std::vector<Option<MethodSettings>> k_options = {option_named(method_options(), "tau_deg"),
+                                                                option_named(method_options(), "tolerance")};
+  return k_options;
+}
+
 void validate(const PiecesSettings& settings) {
   if (settings.fixed.size() > static_cast<std::size_t>(settings.most))
     throw UsageError(fmt::format("--fixed: {} directions are more than the {} of --max",

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "classify/method_options.hpp"
 #include "classify/option.hpp"
 
 namespace moldlight {
@@ -20,6 +21,9 @@ struct PiecesSettings {
 
 /// Without `proposed`, which comes from a file.
 [[nodiscard]] std::span<const Option<PiecesSettings>> pieces_options();
+
+/// Those of the method that count: tau and the lateral tolerance.
+[[nodiscard]] std::span<const Option<MethodSettings>> pieces_method_options();
 
 /// Throws UsageError for more fixed directions than there may be at all.
 void validate(const PiecesSettings& settings);

@@ -66,7 +66,7 @@ void add_round_lines(std::span<const Candidate> candidates, std::vector<PullLine
         const double angle = glm::radians(static_cast<double>(deg));
         const glm::dvec3 line =
             half_sphere(glm::normalize(std::cos(angle) * axes[a] + std::sin(angle) * axes[b]));
-        lines.push_back({line, "round angle between axes", LineLiking::round});
+        lines.push_back({line, "a round angle", LineLiking::round});
       }
     }
   }

@@ -205,7 +205,7 @@ PYBIND11_MODULE(_core, module) {
   PartClass part = add_part(module);
   for (const AddCall add : calls()) add(module, part);
   module.def("settings", &settings_list, py::arg("call"),
-             "settings(call)\n--\n\nThe settings of a call: 'Part', 'read', 'classify', 'sweep', 'actions', "
-             "'mold' or 'picture'.\nA list with a dict each: key, label, unit, help, type, default, words, "
+             "settings(call)\n--\n\nThe settings of a call: 'Part', 'read', 'classify', 'sweep', 'pieces', "
+             "'actions', 'mold' or 'picture'.\nA list with a dict each: key, label, unit, help, type, default, words, "
              "least, greatest.");
 }

@@ -6,6 +6,7 @@
 #include "classify/classify_report.hpp"
 #include "classify/number_format.hpp"
 #include "parting/make_halves.hpp"
+#include "pieces/pieces_report.hpp"
 
 namespace moldlight {
 
@@ -134,6 +135,14 @@ std::shared_ptr<const MoldPieces> Asked<MoldPieces>::find(Study& study, const Pr
                             progress));
 }
 
+Asked<PiecesResult>::Inputs Asked<PiecesResult>::inputs(const Study& study) {
+  return {exact_query(study.model(), {{}, study.questions().query.method}), study.questions().pieces};
+}
+std::shared_ptr<const PiecesResult> Asked<PiecesResult>::find(Study& study, const Progress& progress) {
+  const Questions& asked = study.questions();
+  return shared(find_pieces(study.model(), asked.query.method, asked.pieces, progress));
+}
+
 Asked<DraftCheck>::Inputs Asked<DraftCheck>::inputs(const Study& study) {
   return {Asked<MoldLine>::inputs(study), study.questions().draft()};
 }
@@ -247,6 +256,10 @@ Json mold_json(Study& study, const Progress& progress) {
   json["verdict"] = verdict_json(mold_verdict(study, progress));
   add_best_direction(study, json);
   return json;
+}
+
+Json pieces_json(Study& study, const Progress& progress) {
+  return pieces_json(study.model(), study.find<PiecesResult>(progress));
 }
 
 Json sweep_json(Study& study, const Progress& progress) {

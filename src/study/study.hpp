@@ -20,6 +20,7 @@
 #include "parting/mold_halves.hpp"
 #include "parting/mold_pieces.hpp"
 #include "parting/mold_report.hpp"
+#include "pieces/find_pieces.hpp"
 #include "study/verdict.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep/sweep_report.hpp"
@@ -37,6 +38,7 @@ struct Questions {
   std::vector<FaceFinish> finishes = {};  // faces that ask for a draft of their own
   SweepSettings sweep = {};               // with the method of its own
   SweepListener sweep_shows = {};         // while it runs; the answer does not depend on it
+  PiecesSettings pieces = {};             // with the query's method
 
   [[nodiscard]] DraftDemand draft() const { return {required_draft_deg, finishes}; }
 };
@@ -116,6 +118,12 @@ struct Asked<SweepResult> {
   static std::shared_ptr<const SweepResult> find(Study& study, const Progress& progress);
 };
 template <>
+struct Asked<PiecesResult> {
+  using Inputs = std::pair<ExactQuery, PiecesSettings>;  // along no direction of its own
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const PiecesResult> find(Study& study, const Progress& progress);
+};
+template <>
 struct Asked<DraftCheck> {
   using Inputs = std::pair<Asked<MoldLine>::Inputs, DraftDemand>;
   static Inputs inputs(const Study& study);
@@ -166,7 +174,8 @@ class Study {
   std::shared_ptr<const PartModel> model_;
   Questions questions_;
   std::tuple<Kept<Classification>, Kept<SplitRegions>, Kept<UndercutTotals>, Kept<ActionPlan>, Kept<Changes>,
-             Kept<MoldLine>, Kept<MoldHalves>, Kept<MoldPieces>, Kept<SweepResult>, Kept<DraftCheck>>
+             Kept<MoldLine>, Kept<MoldHalves>, Kept<MoldPieces>, Kept<SweepResult>, Kept<PiecesResult>,
+             Kept<DraftCheck>>
       kept_;
 };
 
@@ -193,6 +202,8 @@ void keep_written(Study& study, WrittenMold written, const Progress& progress);
 [[nodiscard]] Json actions_json(Study& study, const Progress& progress);
 /// Schema `moldlight.mold/2`.
 [[nodiscard]] Json mold_json(Study& study, const Progress& progress);
+/// Schema `moldlight.pieces/1`.
+[[nodiscard]] Json pieces_json(Study& study, const Progress& progress);
 /// Schema `moldlight.sweep/3`: each direction's verdict, and that of the first.
 [[nodiscard]] Json sweep_json(Study& study, const Progress& progress);
 

@@ -51,6 +51,16 @@ class Reports(unittest.TestCase):
     def test_info(self):
         self.check(moldlight.Part.read(LID, unit="mm"), "info", LID, "--unit", "mm")
 
+    def test_pieces(self):
+        part = moldlight.Part.read(LID, unit="mm")
+        found = part.pieces(fixed="z", eps=0.006)
+        self.check(found, "pieces", LID, "--unit", "mm", "--fixed", "z", "--eps", "0.006")
+        self.assertEqual(found.count, len(found.directions))
+        vertices, faces = found.mesh()
+        self.assertEqual(len(faces), len(found.piece_of_face))
+        self.assertLess(faces.max(), len(vertices))
+        self.assertEqual(len(found.seam_lines()), len(found.to_dict()["seams"]))
+
     def test_classify_by_maps_with_draft(self):
         part = moldlight.Part.read(LID, unit="in", repair="full")
         self.check(part.classify("-y", readout="samples", resolution=512, samples=20000, compare_maps=True,

@@ -29,7 +29,7 @@ Section directions_section(const ReportContext& context, const PiecesResult& res
               {}};
   for (std::size_t k = 0; k < result.count(); ++k) {
     const PieceDirection& one = result.directions[k];
-    const std::string key = fmt::format("/directions/{}/", k), words = direction_words(one.direction);
+    const std::string key = fmt::format("/directions/{}/", k), words = pull_words(one.direction);
     Row row{{{fmt::format("{}", k + 1)},
              {with_minus(words)},
              number(style, FigureKind::area, key + "area", one.area),
