@@ -206,6 +206,7 @@ PYBIND11_MODULE(_core, module) {
   for (const AddCall add : calls()) add(module, part);
   module.def("settings", &settings_list, py::arg("call"),
              "settings(call)\n--\n\nThe settings of a call: 'Part', 'read', 'classify', 'sweep', 'pieces', "
-             "'actions', 'mold' or 'picture'.\nA list with a dict each: key, label, unit, help, type, default, words, "
+             "'actions', 'mold' or 'picture'.\nA list with a dict each: key, label, unit, help, type, "
+             "default, words, "
              "least, greatest.");
 }

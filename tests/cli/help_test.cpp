@@ -30,7 +30,8 @@ TEST(Help, PutsFlagsIntoGroupsExpertsLast) {
 }
 
 TEST(Help, HasEveryFlagInOneGroup) {
-  for (const std::string command : {"info", "classify", "actions", "mold", "sweep", "pieces", "compare", "view"}) {
+  for (const std::string command :
+       {"info", "classify", "actions", "mold", "sweep", "pieces", "compare", "view"}) {
     const std::string help = run_moldlight({command, "--help"}).out,
                       list = run_moldlight({"manual", "--form", "flags"}).out;
     const std::size_t begin = list.find("\n## " + command + "\n");

@@ -20,8 +20,7 @@ TEST(PiecesCommand, SaysInWordsHowManyPiecesAndWhich) {
   const SmallPart part;
   const auto run = run_moldlight({"pieces", part.file(), "--unit", "mm"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_TRUE(run.out.starts_with("The mold opens along ") || run.out.starts_with("Two pieces "))
-      << run.out;
+  EXPECT_TRUE(run.out.starts_with("The mold opens along ") || run.out.starts_with("Two pieces ")) << run.out;
   EXPECT_NE(run.out.find("Directions, in the order of removal"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("Seams between the pieces"), std::string::npos) << run.out;
 }

@@ -34,7 +34,7 @@ class Schemas(unittest.TestCase):
         found = list(json_page.sections())
         named = [line.split("`")[1] for line in blocks.read(json_page.PAGE) if line.startswith("| `moldlight.")]
         self.assertEqual(sorted(named), sorted(heading for heading, _, _ in found if heading.startswith("moldlight.")))
-        self.assertEqual(len(found), 9)
+        self.assertEqual(len(found), 10)
         for heading, consoles, keys in found:
             reports = json_page.reports(self.session, consoles)
             self.assertTrue(reports, heading)

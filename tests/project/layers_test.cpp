@@ -28,9 +28,9 @@ const std::map<std::string, Layers>& allowed_layers() {
     return layers;
   };
   static const Layers k_actions = with(k_classify, "classify"), k_parting = with(k_actions, "actions"),
-                      k_sweep = with(with(k_parting, "parting"), "proof"),
-                      k_pieces = with(k_sweep, "sweep"), k_study = with(k_pieces, "pieces"),
-                      k_python = with(k_study, "study"), k_entry = with(with(k_python, "compare"), "batch"),
+                      k_sweep = with(with(k_parting, "parting"), "proof"), k_pieces = with(k_sweep, "sweep"),
+                      k_study = with(k_pieces, "pieces"), k_python = with(k_study, "study"),
+                      k_entry = with(with(k_python, "compare"), "batch"),
                       k_report = with(with(k_python, "compare"), "page"),
                       k_program = with(with(with(k_entry, "gui"), "report"), "page");
   static const std::map<std::string, Layers> k_allowed = {
@@ -84,8 +84,8 @@ const std::vector<LibraryRule>& library_rules() {
       {"pybind11", std::regex("pybind11/.*|Python.h"), {"python"}},
       {"JSON",
        std::regex("nlohmann/.*"),
-       {"actions", "batch", "classify", "compare", "page", "parting", "pieces", "report", "sweep", "gui", "cli",
-        "python", "study"}},
+       {"actions", "batch", "classify", "compare", "page", "parting", "pieces", "report", "sweep", "gui",
+        "cli", "python", "study"}},
   };
   return k_rules;
 }
