@@ -52,12 +52,15 @@ std::vector<Candidate> edge_candidates(const PartModel& model) {
   return candidates;
 }
 
-/// Every 15 degrees between two axes of the file, if both are canonical.
+/// Every 15 degrees between two of the canonical lines that are perpendicular to each other, the first ones.
 void add_round_lines(std::span<const Candidate> candidates, std::vector<PullLine>& lines) {
+  constexpr double k_perpendicular_deg = 0.1;
   std::vector<glm::dvec3> axes;
   for (const Candidate& candidate : candidates) {
-    if (candidate.canonical && nearest_axis(candidate.direction).is_met())
-      axes.push_back(candidate.direction);
+    const auto is_across = [&](const glm::dvec3& axis) {
+      return line_angle_deg(axis, candidate.direction) > 90.0 - k_perpendicular_deg;
+    };
+    if (candidate.canonical && std::ranges::all_of(axes, is_across)) axes.push_back(candidate.direction);
   }
   for (std::size_t a = 0; a < axes.size(); ++a) {
     for (std::size_t b = a + 1; b < axes.size(); ++b) {

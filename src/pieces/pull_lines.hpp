@@ -14,7 +14,7 @@
 namespace moldlight {
 
 /// How much a toolmaker likes a line: one that is given or that the shape of the part names; one that
-/// features speak for; one at a round angle between axes; any other.
+/// features speak for; one at a round angle between those; any other.
 enum class LineLiking : std::uint8_t { named, feature, round, other };
 inline constexpr int k_line_likings = 4;
 
@@ -26,7 +26,7 @@ struct PullLine {
 
 /// Fixed directions first, in their order and sense, then those proposed, then canonical ones, those of the
 /// sweep's sources (sweep/candidates), edges, which are the crosses of neighbouring normals, lines at every
-/// 15 degrees between axes that are canonical, and an even set. Throws UsageError for a direction of no
+/// 15 degrees between canonical lines, and an even set. Throws UsageError for a direction of no
 /// length, Cancelled.
 [[nodiscard]] std::vector<PullLine> pull_lines(const PartModel& model, const PiecesSettings& settings,
                                                const Progress& progress);
