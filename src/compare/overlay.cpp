@@ -24,7 +24,7 @@ constexpr double k_cut_rounding = 1e-10;
 constexpr float k_search_margin = 1e-6F;
 /// More pieces near a polygon than this, and it is asked about in halves.
 constexpr std::size_t k_many_near = 512, k_many_over = 48;
-constexpr int k_most_halvings = 24;
+constexpr int k_most_halvings = 24, k_most_search_halvings = 8;
 /// Halvings one after the other that leave as much near: of needles as long as the part, all are near
 /// everywhere.
 constexpr int k_most_useless = 6;
@@ -115,6 +115,37 @@ class Laying {
     return {normal, slack.base + own.lateral[here] + others.lateral[there] + normal * others.spread[there]};
   }
 
+  /// An edge of a polygon: how far off its centre it is, along what leads out of the polygon.
+  struct Rim {
+    glm::dvec3 out;
+    double at;
+  };
+
+  /// Most of what is around a long polygon is beside it.
+  [[nodiscard]] std::vector<Rim> rims_of(const ConvexPolygon& polygon, const glm::dvec3& centre,
+                                         const glm::dvec3& normal) const {
+    std::vector<Rim> rims;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const glm::dvec3 out = glm::cross(polygon[(k + 1) % polygon.size()] - polygon[k], normal);
+      const double length = glm::length(out);
+      if (length > rounding_)
+        rims.push_back({out / length, glm::dot(out / length, polygon[k] - centre) + rounding_});
+    }
+    return rims;
+  }
+
+  /// Calls `visit` for what is so near to a polygon, and for some beside it; maybe more than once. Around a
+  /// large polygon there is much of a finely divided part: its halves have less around them.
+  void visit_around(const ConvexPolygon& polygon, double reach, int halvings,
+                    const std::function<void(PieceIndex)>& visit) const {
+    constexpr double k_few = 4.0;  // pieces across
+    const glm::dvec3 centre = polygon_centre(polygon);
+    const double radius = reach_from(centre, polygon);
+    if (halvings == 0 || radius <= reach + k_few * onto_.mean_radius())
+      return visit_pieces(onto_, centre, radius + reach, visit);
+    for (const ConvexPolygon& half : halved(polygon)) visit_around(half, reach, halvings - 1, visit);
+  }
+
   /// Gives what lies on the other part to the result, and the rest to left_.
   void lay(const ConvexPolygon& polygon, const Slack& slack, const Halvings& halvings, PieceOverlay& result) {
     const glm::dvec3 centre = polygon_centre(polygon), normal = side_.normal(piece_);
@@ -126,15 +157,18 @@ class Laying {
       const Nearness within = nearness(other, slack);
       return onto_.radius(other) + 2.0 * (within.normal + within.lateral);
     };
+    const std::vector<Rim> rims = rims_of(polygon, centre, normal);
     std::vector<PieceIndex> near;
-    visit_pieces(onto_, centre, radius + reach, [&](PieceIndex other) {
+    visit_around(polygon, reach, k_most_search_halvings, [&](PieceIndex other) {
       const glm::dvec3 way = onto_.centre(other) - centre;
-      const double off = std::max(std::abs(glm::dot(normal, way)) - rounding_, glm::length(way) - radius);
+      double off = std::max(std::abs(glm::dot(normal, way)) - rounding_, glm::length(way) - radius);
+      for (const Rim& rim : rims) off = std::max(off, glm::dot(rim.out, way) - rim.at);
       if (glm::dot(normal, onto_.normal(other)) < k_least_facing || onto_.area(other) <= 0.0) return;
       // What tessellations may be off is asked for only where it matters.
       if (off <= onto_.radius(other) || off <= reach_of(other)) near.push_back(other);
     });
     std::ranges::sort(near);
+    near.erase(std::unique(near.begin(), near.end()), near.end());
     const Halvings next = halvings.next(near.size());
     const bool halve = near.size() > k_many_near && next.allowed() && radius > reach;
     std::vector<Over> hulls;
@@ -259,6 +293,7 @@ OverlaySide::OverlaySide(std::shared_ptr<const PartModel> model, const Classific
          .normal = model_->geometry.normals[facet(piece)],
          .radius = std::max({glm::distance(a, centre), glm::distance(b, centre), glm::distance(c, centre)}),
          .area = piece_area(*split_, split_->pieces[piece])});
+    mean_radius_ += measures_.back().radius / static_cast<double>(count());
   }
 }
 

@@ -52,6 +52,7 @@ class OverlaySide {
   /// A sphere around it.
   [[nodiscard]] const glm::dvec3& centre(PieceIndex piece) const { return measures_[piece].centre; }
   [[nodiscard]] double radius(PieceIndex piece) const { return measures_[piece].radius; }
+  [[nodiscard]] double mean_radius() const { return mean_radius_; }
   [[nodiscard]] std::array<glm::dvec3, 3> corners(PieceIndex piece) const {
     const auto& [a, b, c] = split_->pieces[piece].corners;
     return {split_->vertices[a], split_->vertices[b], split_->vertices[c]};
@@ -71,6 +72,7 @@ class OverlaySide {
   Faces faces_;
   ChordDeviation chords_;
   std::vector<Measures> measures_;
+  double mean_radius_ = 0.0;
   ExactRays rays_;
 };
 
