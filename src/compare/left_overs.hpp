@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "compare/convex_polygon.hpp"
 #include "compare/overlay.hpp"
 #include "compare/place_volume.hpp"
+#include "mesh/convex_polygon.hpp"
 #include "mesh/union_find.hpp"
 
 namespace moldlight {

@@ -8,7 +8,7 @@
 #include "base/progress.hpp"
 #include "classify/classification.hpp"
 #include "classify/part_model.hpp"
-#include "compare/convex_polygon.hpp"
+#include "mesh/convex_polygon.hpp"
 #include "mesh/faces.hpp"
 #include "mold/exact_rays.hpp"
 

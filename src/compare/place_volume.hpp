@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "compare/convex_polygon.hpp"
+#include "mesh/convex_polygon.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace moldlight {

@@ -9,8 +9,8 @@
 
 #include "classify/figure_table.hpp"
 #include "classify/still_picture.hpp"
-#include "compare/convex_polygon.hpp"
 #include "gui/draw/widgets.hpp"
+#include "mesh/convex_polygon.hpp"
 #include "mold/draft.hpp"
 
 namespace moldlight::gui {

@@ -1,4 +1,4 @@
-#include "compare/convex_polygon.hpp"
+#include "mesh/convex_polygon.hpp"
 
 #include <algorithm>
 #include <utility>
