@@ -23,9 +23,6 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_crease_weight = 0.5;
-/// A wall with 1 degree of reverse draft, a fifth of the diagonal wide, costs as much as two climbs along it.
-constexpr double k_draft_weight = 2300.0;
 /// What a wall a diagonal away from the assigned height costs, as a share of the diagonal and its area in
 /// diagonals.
 constexpr double k_height_weight = 4.0;
@@ -35,8 +32,6 @@ constexpr double k_given_weight = 1e3, k_wish_weight = 1e5;
 constexpr double k_undercut_floor = 1e-5;
 constexpr std::size_t k_most_heights = 10;
 constexpr double k_level_sine = 0.01;  // a crease that climbs less is level
-/// Reverse draft below this is rounding.
-constexpr double k_least_sine = 1e-5;
 /// Pieces that are narrower, as a share of the diagonal, are what rounding leans out or hides.
 constexpr double k_least_width = 1e-6;
 
@@ -55,21 +50,6 @@ struct Costs {
   }
 };
 
-std::vector<std::uint8_t> creases(const SplitMesh& mesh, const PieceEdges& edges,
-                                  const FacetGeometry& geometry) {
-  const double cosine = std::cos(glm::radians(k_crease_deg));
-  std::vector<std::uint8_t> crease;
-  crease.reserve(edges.edges.size());
-  for (const PieceEdge& edge : edges.edges) {
-    const bool open = edge.right == k_no_piece;
-    crease.push_back(open || glm::dot(geometry.normals[mesh.pieces[edge.left].facet],
-                                      geometry.normals[mesh.pieces[edge.right].facet]) < cosine
-                         ? 1
-                         : 0);
-  }
-  return crease;
-}
-
 Costs costs_of(const PartModel& model, const Assignment& assignment) {
   const SplitMesh& mesh = assignment.mesh;
   const glm::dvec3& d = assignment.direction;
@@ -84,8 +64,9 @@ Costs costs_of(const PartModel& model, const Assignment& assignment) {
     const auto& corners = mesh.pieces[piece].corners;
     const double area = 0.5 * glm::length(twice_piece_area(mesh, piece));
     const double sine = glm::dot(model.geometry.normals[mesh.pieces[piece].facet], d);
-    const double draft =
-        std::abs(sine) < k_least_sine ? 0.0 : k_draft_weight * area * std::abs(sine) / model.frame.diagonal;
+    const double draft = std::abs(sine) < k_least_reverse_sine
+                             ? 0.0
+                             : k_draft_weight * area * std::abs(sine) / model.frame.diagonal;
     costs.draft.push_back({sine < 0.0 ? draft : 0.0, sine > 0.0 ? draft : 0.0});
     costs.area.push_back(area);
     costs.middle.push_back(
@@ -269,7 +250,8 @@ void sum_areas(const PartModel& model, const Costs& costs, Assignment& assignmen
     assignment.free_area += area;
     const double sine =
         glm::dot(model.geometry.normals[assignment.mesh.pieces[piece].facet], assignment.direction);
-    if (assignment.sides[piece] == MoldSide::core ? sine < -k_least_sine : sine > k_least_sine)
+    if (assignment.sides[piece] == MoldSide::core ? sine < -k_least_reverse_sine
+                                                  : sine > k_least_reverse_sine)
       assignment.reverse_draft_area += area;
   }
 }
@@ -333,7 +315,7 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
                    .tolerance = 1e-6 * model.frame.diagonal});
     result.edges = piece_edges(result.mesh);
   }
-  result.crease = creases(result.mesh, result.edges, model.geometry);
+  result.crease = crease_edges(result.mesh, result.edges, model.geometry);
   for (PieceIndex piece = 0; piece < result.mesh.pieces.size(); ++piece) {
     const Region region = result.mesh.pieces[piece].region;
     result.sides.push_back(region == Region::core || region == Region::both ? MoldSide::core

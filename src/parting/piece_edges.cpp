@@ -6,6 +6,9 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "mesh/adjacency.hpp"
 
 namespace moldlight {
 
@@ -68,6 +71,21 @@ PieceEdges piece_edges(const SplitMesh& mesh) {
     }
   }
   return result;
+}
+
+std::vector<std::uint8_t> crease_edges(const SplitMesh& mesh, const PieceEdges& edges,
+                                       const FacetGeometry& geometry) {
+  const double cosine = std::cos(glm::radians(k_crease_deg));
+  std::vector<std::uint8_t> crease;
+  crease.reserve(edges.edges.size());
+  for (const PieceEdge& edge : edges.edges) {
+    const bool open = edge.right == k_no_piece;
+    crease.push_back(open || glm::dot(geometry.normals[mesh.pieces[edge.left].facet],
+                                      geometry.normals[mesh.pieces[edge.right].facet]) < cosine
+                         ? 1
+                         : 0);
+  }
+  return crease;
 }
 
 glm::dvec3 twice_piece_area(const SplitMesh& mesh, PieceIndex piece) {

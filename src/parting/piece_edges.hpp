@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "mesh/facet_geometry.hpp"
 #include "mold/exact/split_mesh.hpp"
 
 namespace moldlight {
@@ -40,6 +41,17 @@ struct PieceEdges {
 
 /// Where more than two pieces meet, those of opposite senses are paired in the order of their numbers.
 [[nodiscard]] PieceEdges piece_edges(const SplitMesh& mesh);
+
+/// Which of them a line likes to run along: those that bend by more than k_crease_deg, and open ones.
+[[nodiscard]] std::vector<std::uint8_t> crease_edges(const SplitMesh& mesh, const PieceEdges& edges,
+                                                     const FacetGeometry& geometry);
+
+/// What a line along creases costs, of one across a face.
+inline constexpr double k_crease_weight = 0.5;
+/// A wall with 1 degree of reverse draft, a fifth of the diagonal wide, costs as much as two climbs along it.
+inline constexpr double k_draft_weight = 2300.0;
+/// Reverse draft below this is rounding.
+inline constexpr double k_least_reverse_sine = 1e-5;
 
 /// Along the outward normal, as long as twice the area.
 [[nodiscard]] glm::dvec3 twice_piece_area(const SplitMesh& mesh, PieceIndex piece);

@@ -21,10 +21,6 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_on_crease = 0.5;
-/// As in the parting line: a wall with 1 degree of reverse draft, a fifth of the diagonal wide, costs as much
-/// as two climbs along it.
-constexpr double k_against_draft = 2300.0, k_draft_rounding = 1e-5;
 /// What an area costs at a later direction, as a share of it in diagonals: it decides between equals.
 constexpr double k_later = 1e-3;
 constexpr int k_most_expansions = 4;
@@ -89,14 +85,10 @@ class Labelling {
         mesh_(std::move(released.mesh)),
         may_(std::move(released.released_by)),
         edges_(piece_edges(mesh_)),
+        crease_(crease_edges(mesh_, edges_, model.geometry)),
         lateral_(query.lateral * model.frame.diagonal) {
-    const double cosine = std::cos(glm::radians(k_crease_deg));
-    for (const PieceEdge& edge : edges_.edges) {
-      const bool crease =
-          edge.right == k_no_piece || glm::dot(normal(edge.left), normal(edge.right)) < cosine;
-      crease_.push_back(crease ? 1 : 0);
+    for (const PieceEdge& edge : edges_.edges)
       lengths_.push_back(glm::distance(mesh_.vertices[edge.from], mesh_.vertices[edge.to]));
-    }
     for (PieceIndex piece = 0; piece < mesh_.pieces.size(); ++piece)
       areas_.push_back(0.5 * glm::length(twice_piece_area(mesh_, piece)));
     leave_over();
@@ -116,7 +108,7 @@ class Labelling {
   [[nodiscard]] bool expand_to(std::uint32_t label, const Progress& progress);
   [[nodiscard]] double cost_at(PieceIndex piece, std::uint32_t label) const;
   [[nodiscard]] double seam_cost(std::size_t edge) const {
-    return lengths_[edge] * (crease_[edge] != 0 ? k_on_crease : 1.0);
+    return lengths_[edge] * (crease_[edge] != 0 ? k_crease_weight : 1.0);
   }
   /// Pieces that hang together and have one label, by the lowest of them.
   [[nodiscard]] UnionFind patches() const;
@@ -128,8 +120,8 @@ class Labelling {
   SplitMesh mesh_;
   std::vector<std::uint32_t> may_;  // directions that may form each piece, as bits
   PieceEdges edges_;
+  std::vector<std::uint8_t> crease_;  // of each edge
   double lateral_;
-  std::vector<std::uint8_t> crease_;     // of each edge
   std::vector<double> lengths_, areas_;  // of each edge, of each piece
   std::vector<std::uint32_t> labels_;
 };
@@ -154,7 +146,7 @@ void Labelling::leave_over() {
 
 double Labelling::cost_at(PieceIndex piece, std::uint32_t label) const {
   const double sine = glm::dot(normal(piece), directions_[label]);
-  const double against = sine < -k_draft_rounding ? k_against_draft * -sine : 0.0;
+  const double against = sine < -k_least_reverse_sine ? k_draft_weight * -sine : 0.0;
   return areas_[piece] / model_.frame.diagonal * (against + k_later * static_cast<double>(label));
 }
 
