@@ -46,7 +46,7 @@ std::string layer_of(std::string_view kind) {
 void write_dxf(const std::string& path, const WrittenLines& lines) {
   std::string text;
   const Out out(text);
-  fmt::format_to(out, "999\nmoldlight parting line of {}\n", plain(lines.name));
+  fmt::format_to(out, "999\nmoldlight {} of {}\n", lines.title, plain(lines.name));
   fmt::format_to(out, "999\nunit: {}\n", lines.unit.empty() ? "that of the part's file" : plain(lines.unit));
   text += "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n0\nSECTION\n2\nTABLES\n";
   text += "0\nTABLE\n2\nLAYER\n70\n";
@@ -109,7 +109,7 @@ void write_svg(const std::string& path, const WrittenLines& lines) {
 }
 
 void write_obj(const std::string& path, const WrittenLines& lines) {
-  std::string text = "# moldlight parting line\n";
+  std::string text = fmt::format("# moldlight {}\n", lines.title);
   const Out out(text);
   std::size_t number = 0;
   std::string_view group;
@@ -145,7 +145,8 @@ std::string step_real(double value) {
 }
 
 void write_step(const std::string& path, const WrittenLines& lines) {
-  std::string text = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('parting line'),'2;1');\nFILE_NAME('";
+  std::string text =
+      fmt::format("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('{}'),'2;1');\nFILE_NAME('", lines.title);
   const Out out(text);
   fmt::format_to(out, "{}','',(''),(''),'moldlight','moldlight','');\n", plain(lines.name));
   text += "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n";
@@ -153,7 +154,9 @@ void write_step(const std::string& path, const WrittenLines& lines) {
   text +=
       "#1=APPLICATION_CONTEXT('core data for automotive mechanical design processes');\n"
       "#2=APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,#1);\n"
-      "#3=PRODUCT_CONTEXT('',#1,'mechanical');\n#4=PRODUCT('parting line','parting line','',(#3));\n"
+      "#3=PRODUCT_CONTEXT('',#1,'mechanical');\n";
+  fmt::format_to(out, "#4=PRODUCT('{0}','{0}','',(#3));\n", lines.title);
+  text +=
       "#5=PRODUCT_DEFINITION_FORMATION('','',#4);\n#6=PRODUCT_DEFINITION_CONTEXT('part "
       "definition',#1,'design');\n"
       "#7=PRODUCT_DEFINITION('design','',#5,#6);\n#8=PRODUCT_DEFINITION_SHAPE('','',#7);\n"
@@ -180,7 +183,7 @@ void write_step(const std::string& path, const WrittenLines& lines) {
                    loop.open ? "" : fmt::format("#{}", first));
     curves += fmt::format("{}#{}", curves.empty() ? "" : ",", number++);
   }
-  fmt::format_to(out, "#{}=GEOMETRIC_CURVE_SET('parting line',({}));\n", number, curves);
+  fmt::format_to(out, "#{}=GEOMETRIC_CURVE_SET('{}',({}));\n", number, lines.title, curves);
   fmt::format_to(out, "#{}=GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',(#17,#{}),#13);\n",
                  number + 1, number);
   fmt::format_to(out, "#{}=SHAPE_DEFINITION_REPRESENTATION(#8,#{});\n", number + 2, number + 1);

@@ -25,6 +25,7 @@ struct WrittenLines {
   glm::dvec3 direction{0, 0, 1};  // unit
   std::string unit;               // "mm", …; may be empty
   std::string name;               // of the part
+  std::string_view title = "parting line";
 };
 
 [[nodiscard]] WrittenLines lines_to_write(const PartModel& model, const Assignment& assignment,

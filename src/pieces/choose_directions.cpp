@@ -73,6 +73,7 @@ class Chooser {
     }
     return columns;
   }
+  void add_even_samples(ChosenDirections& chosen);
   [[nodiscard]] Choice choose();
   [[nodiscard]] std::vector<std::size_t> liked_cover(std::vector<std::size_t> any, std::size_t most);
   [[nodiscard]] std::optional<std::vector<std::size_t>> with_pair(CoverSearch& search, int liking,
@@ -87,8 +88,6 @@ class Chooser {
   std::vector<PullLine> lines_;
   SampleAccess access_;
   LeftSurface left_;
-  void add_even_samples(ChosenDirections& chosen);
-
   std::vector<std::size_t> forced_;
   std::vector<double> depths_;  // of the part along each line, share of its diagonal
   std::size_t least_ = 1;       // fewer directions were excluded

@@ -1,12 +1,12 @@
 #include "pieces/find_pieces.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
 #include "base/error.hpp"
+#include "base/stopwatch.hpp"
 #include "classify/classification.hpp"
 #include "classify/method_options.hpp"
 #include "mold/surface_samples.hpp"
@@ -95,7 +95,7 @@ void measure_air(const PartModel& model, const Progress& progress, PiecesResult&
 
 PiecesResult find_pieces(const PartModel& model, const MethodSettings& method, const PiecesSettings& settings,
                          const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   validate(settings);
   validate(method, model.frame.diagonal);
   if (model.geometry.total_area <= 0.0) throw UsageError("the part has no surface to release");
@@ -123,7 +123,7 @@ PiecesResult find_pieces(const PartModel& model, const MethodSettings& method, c
     }
     measure_air(model, progress, result);
   }
-  result.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.elapsed_s = 1e-3 * stopwatch.elapsed_ms();
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
 
+#include "base/error.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/direction.hpp"
 
@@ -15,29 +16,14 @@ namespace moldlight {
 
 namespace {
 
-using Polygon = std::vector<glm::dvec3>;
-
-double polygon_area(const Polygon& polygon) {
-  glm::dvec3 sum(0.0);
-  for (std::size_t k = 2; k < polygon.size(); ++k)
-    sum += glm::cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
-  return 0.5 * glm::length(sum);
-}
-
-/// Sutherland and Hodgman 1974; `normal` is that of the plane in which both lie.
-Polygon clipped_by(Polygon polygon, const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& normal) {
+/// The part of a polygon that lies in a triangle, both in the plane with this normal.
+ConvexPolygon clipped_by(ConvexPolygon polygon, const std::array<glm::dvec3, 3>& triangle,
+                         const glm::dvec3& normal) {
   for (std::size_t side = 0; side < 3 && polygon.size() >= 3; ++side) {
     const glm::dvec3& from = triangle[side];
-    const glm::dvec3 inward = glm::cross(normal, triangle[(side + 1) % 3] - from);
-    Polygon kept;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const glm::dvec3 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-      const double at_a = glm::dot(inward, a - from), at_b = glm::dot(inward, b - from);
-      if (at_a >= 0.0) kept.push_back(a);
-      if ((at_a > 0.0 && at_b < 0.0) || (at_a < 0.0 && at_b > 0.0))
-        kept.push_back(a + at_a / (at_a - at_b) * (b - a));
-    }
-    polygon = std::move(kept);
+    const glm::dvec3 out = glm::cross(triangle[(side + 1) % 3] - from, normal);
+    const double length = glm::length(out);
+    if (length > 0.0) polygon = parted(polygon, {out / length, glm::dot(out / length, from)}, 0.0).inside;
   }
   return polygon;
 }
@@ -57,6 +43,8 @@ bool are_apart(const Bounds& a, const Bounds& b) {
 constexpr double k_least_share = 1e-14;
 /// Lines whose regions are kept; each takes as much as the part.
 constexpr std::size_t k_most_kept = 12;
+/// Cuts of polygons that are tried: real parts ask for forty a facet at most.
+constexpr std::size_t k_any_cuts = 10'000'000, k_cuts_a_facet = 500;
 
 }  // namespace
 
@@ -72,8 +60,8 @@ const LeftSurface::Line& LeftSurface::line_of(const glm::dvec3& direction, const
   return lines_.emplace(direction, std::move(line)).first->second;
 }
 
-std::vector<LeftPolygon> LeftSurface::left_of(FacetIndex facet, std::span<const Pull> pulls) const {
-  std::vector<Polygon> left;
+std::vector<LeftPolygon> LeftSurface::left_of(FacetIndex facet, std::span<const Pull> pulls) {
+  std::vector<ConvexPolygon> left;
   bool begun = false;
   const glm::dvec3& normal = model_.geometry.normals[facet];
   std::vector<std::pair<std::array<glm::dvec3, 3>, Bounds>> blocked;
@@ -88,17 +76,18 @@ std::vector<LeftPolygon> LeftSurface::left_of(FacetIndex facet, std::span<const 
       blocked.emplace_back(corners, box_of(corners));
     }
     if (blocked.empty()) return {};
-    std::vector<Polygon> next;
+    cuts_ += std::max(left.size(), std::size_t{1}) * blocked.size();
+    std::vector<ConvexPolygon> next;
     if (!begun) {
       for (const auto& [triangle, box] : blocked) next.emplace_back(triangle.begin(), triangle.end());
     } else if (line.first[facet + 1] - line.first[facet] == 1) {
       continue;  // all of the facet is blocked
     }
-    for (const Polygon& polygon : left) {
+    for (const ConvexPolygon& polygon : left) {
       const Bounds of_polygon = box_of(polygon);
       for (const auto& [triangle, box] : blocked) {
         if (are_apart(of_polygon, box)) continue;
-        Polygon both = clipped_by(polygon, triangle, normal);
+        ConvexPolygon both = clipped_by(polygon, triangle, normal);
         if (both.size() >= 3) next.push_back(std::move(both));
       }
     }
@@ -107,7 +96,7 @@ std::vector<LeftPolygon> LeftSurface::left_of(FacetIndex facet, std::span<const 
     if (left.empty()) return {};
   }
   std::vector<LeftPolygon> found;
-  for (Polygon& polygon : left) {
+  for (ConvexPolygon& polygon : left) {
     const double area = polygon_area(polygon);
     if (area > k_least_share * model_.geometry.total_area) found.push_back({facet, std::move(polygon), area});
   }
@@ -127,10 +116,17 @@ std::vector<LeftPolygon> LeftSurface::left_by(std::span<const glm::dvec3> direct
   }
   const std::size_t facets = model_.part.mesh.facets.size();
   std::vector<std::vector<LeftPolygon>> of_facet(facets);
+  const std::size_t most = static_cast<std::size_t>(
+      model_.part.effort * static_cast<double>(std::max(k_any_cuts, k_cuts_a_facet * facets)));
   tbb::parallel_for(std::size_t{0}, facets, [&](std::size_t facet) {
-    if (!progress.cancelled()) of_facet[facet] = left_of(static_cast<FacetIndex>(facet), pulls);
+    if (!progress.cancelled() && cuts_ <= most)
+      of_facet[facet] = left_of(static_cast<FacetIndex>(facet), pulls);
   });
   if (progress.cancelled()) throw Cancelled();
+  if (cuts_ > most)
+    throw Error(model_.part.file +
+                ": too many of its facets cross others to find a mold of several pieces; raise --effort, or "
+                "take one of its bodies (--body)");
   std::vector<LeftPolygon> all;
   for (auto& polygons : of_facet) std::ranges::move(polygons, std::back_inserter(all));
   return all;
@@ -156,13 +152,9 @@ std::vector<LeftPlace> left_places(const PartModel& model, std::span<const LeftP
   std::map<std::uint32_t, LeftPlace> places;
   for (const LeftPolygon& polygon : polygons) {
     LeftPlace& place = places[joined.find(polygon.facet)];
-    glm::dvec3 middle(0.0);
-    for (const glm::dvec3& corner : polygon.corners) {
-      middle += corner / static_cast<double>(polygon.corners.size());
-      place.bounds.add(corner);
-    }
+    for (const glm::dvec3& corner : polygon.corners) place.bounds.add(corner);
     place.area += polygon.area;
-    place.centre += polygon.area * middle;
+    place.centre += polygon.area * polygon_centre(polygon.corners);
   }
   std::vector<LeftPlace> found;
   for (auto& [first, place] : places) {
@@ -179,7 +171,7 @@ std::vector<SurfaceSample> left_samples(const PartModel& model, std::span<const 
   const double step = area_of(polygons) / static_cast<double>(count);
   double passed = 0.0;
   for (const LeftPolygon& polygon : polygons) {
-    const Polygon& corners = polygon.corners;
+    const ConvexPolygon& corners = polygon.corners;
     for (std::size_t k = 2; k < corners.size(); ++k) {
       passed += 0.5 * glm::length(glm::cross(corners[k - 1] - corners[0], corners[k] - corners[0]));
       while (samples.size() < count && (static_cast<double>(samples.size()) + 0.5) * step < passed) {

@@ -1,6 +1,7 @@
 // The surface that none of several directions releases, by their exact regions.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <span>
@@ -11,6 +12,7 @@
 
 #include "base/progress.hpp"
 #include "classify/part_model.hpp"
+#include "mesh/convex_polygon.hpp"
 #include "mold/exact/exact_regions.hpp"
 #include "mold/surface_samples.hpp"
 
@@ -19,8 +21,8 @@ namespace moldlight {
 /// A convex polygon of a facet, in the part's coordinates.
 struct LeftPolygon {
   FacetIndex facet = 0;
-  std::vector<glm::dvec3> corners;  // three at least, wound as the facet
-  double area = 0.0;                // model units squared
+  ConvexPolygon corners;  // three at least, wound as the facet
+  double area = 0.0;      // model units squared
 };
 
 /// What of it hangs together over facets' edges.
@@ -38,7 +40,8 @@ class LeftSurface {
 
   /// In the order of the facets: what is left of each is cut, as convex polygons, by the pieces that each
   /// direction does not release. Directions are unit. Uses all cores of the calling thread's TBB arena; the
-  /// same to the bit for any number of threads. Throws Cancelled.
+  /// same to the bit for any number of threads. Throws Cancelled, Error where facets that cross others ask
+  /// for more work than the part's effort allows.
   [[nodiscard]] std::vector<LeftPolygon> left_by(std::span<const glm::dvec3> directions,
                                                  const Progress& progress);
 
@@ -59,11 +62,12 @@ class LeftSurface {
     bool plus = false, minus = false;
   };
   [[nodiscard]] const Line& line_of(const glm::dvec3& direction, const Progress& progress);
-  [[nodiscard]] std::vector<LeftPolygon> left_of(FacetIndex facet, std::span<const Pull> pulls) const;
+  [[nodiscard]] std::vector<LeftPolygon> left_of(FacetIndex facet, std::span<const Pull> pulls);
 
   const PartModel& model_;
   ExactQuery query_;
   std::map<glm::dvec3, Line, DirectionOrder> lines_;
+  std::atomic<std::size_t> cuts_ = 0;  // of polygons, tried so far: what the work grows with
 };
 
 [[nodiscard]] double area_of(std::span<const LeftPolygon> polygons);

@@ -89,12 +89,13 @@ std::string pieces_sentence(const PartModel& model, const PiecesResult& result) 
   }
   if (count < 2 || (count == 2 && result.proved())) return text;
   if (result.proved())
-    return text + fmt::format(" {} impossible (proved for {} samples of the surface).",
-                              count == 3 ? "Two are" : sentence_of(number_word(count - 1)) + " are",
-                              result.proof_samples);
+    return text + " " +
+           sentence_of(fmt::format("{} are impossible (proved for {} samples of the surface)",
+                                   number_word(count - 1), result.proof_samples));
   if (!result.optimal) return text + " The search was cut short, so fewer may do.";
-  return text + fmt::format(" None of the directions tried do with fewer; {} at least are needed (proved).",
-                            number_word(result.lower_bound));
+  return text +
+         fmt::format(" No smaller set of the directions tried releases as much. At least {} needed (proved).",
+                     result.lower_bound == 1 ? "one is" : number_word(result.lower_bound) + " are");
 }
 
 std::string piece_name(std::size_t direction) { return fmt::format("piece_{}", direction + 1); }
@@ -170,7 +171,8 @@ void write_seams(const std::string& path, const PartModel& model, const PiecesRe
       .loops = {},
       .direction = result.directions.empty() ? glm::dvec3(0, 0, 1) : result.directions.front().direction,
       .unit = model.part.unit,
-      .name = part_name(model.part)};
+      .name = part_name(model.part),
+      .title = "seams of mold pieces"};
   for (const PieceSeam& seam : result.formed.seams)
     lines.loops.push_back({.kind = "seam", .points = seam.points, .open = true});
   write_lines(path, lines);

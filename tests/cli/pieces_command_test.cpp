@@ -74,6 +74,7 @@ TEST(PiecesCommand, WritesThePartInColoursAndTheSeamsAsLines) {
   const auto run = run_moldlight(words);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(test::file_bytes(part.output("seams.dxf")).find("SEAM"), std::string::npos);
+  EXPECT_NE(test::file_bytes(part.output("seams.step")).find("seams of mold pieces"), std::string::npos);
   EXPECT_NE(test::file_bytes(part.output("seams.csv")).find("1,seam,"), std::string::npos);
   EXPECT_NE(test::file_bytes(part.output("seams.step")).find("POLYLINE('seam'"), std::string::npos);
 }

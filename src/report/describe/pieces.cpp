@@ -115,7 +115,7 @@ Report pieces_report(const ReportContext& context, const PiecesResult& result) {
         patches));
   if (result.enclosed_air && *result.enclosed_air > 2.0 * result.enclosed_error)
     report.lead.push_back(
-        fmt::format("{} {} of air beside the part is hidden along all of them, and no piece fills it.",
+        fmt::format("{} {} of space beside the part is hidden along all of them, so no piece can fill it.",
                     style.text(FigureKind::volume, *result.enclosed_air), style.unit(FigureKind::volume)));
   if (result.count() > 0) report.sections.push_back(directions_section(context, result));
   if (result.left_area > 1e-4 * model.geometry.total_area)

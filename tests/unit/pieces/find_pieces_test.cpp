@@ -2,12 +2,14 @@
 #include "pieces/find_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "base/error.hpp"
 #include "classify/classification.hpp"
 #include "pieces/pieces_report.hpp"
 #include "support/box_pile.hpp"
@@ -27,7 +29,7 @@ PiecesResult pieces_of(const TriangleMesh& mesh, const PiecesSettings& settings 
   return find_pieces(*model_of(mesh), {}, settings, Progress());
 }
 
-/// A cube of 30 with a blind hole, 6 wide and 12 deep, in the middle of each of these faces (0 … 5: -x, +x,
+/// A cube of 30 with a blind hole, 6 wide and 9 deep, in the middle of each of these faces (0 … 5: -x, +x,
 /// …).
 TriangleMesh cube_with_holes(const std::vector<int>& faces) {
   constexpr double k_half = 15.0, k_hole = 3.0, k_depth = 9.0;
@@ -83,9 +85,14 @@ TEST(Pieces, ACubeNeedsADirectionForEachFaceWithABlindHole) {
   const std::vector<std::vector<int>> cubes = {{5},       {1, 5},       {0, 1},
                                                {1, 3, 5}, {0, 1, 4, 5}, {0, 1, 2, 3, 4, 5}};
   for (const std::vector<int>& faces : cubes) {
-    const PiecesResult result = pieces_of(cube_with_holes(faces));
+    const auto cube = model_of(cube_with_holes(faces));
+    const PiecesResult result = find_pieces(*cube, {}, {}, Progress());
     EXPECT_EQ(result.count(), std::max<std::size_t>(2, faces.size()));
     EXPECT_TRUE(result.releases_all);
+    constexpr std::array<std::string_view, 7> k_excluded = {"",           "", "",         " Two are",
+                                                            " Three are", "", " Five are"};
+    const std::string sentence = pieces_sentence(*cube, result);
+    EXPECT_NE(sentence.find(k_excluded[result.count()]), std::string::npos) << sentence;
     EXPECT_EQ(result.lower_bound, result.count());
     for (const int face : faces) {
       glm::dvec3 direction(0.0);
@@ -259,6 +266,22 @@ TEST(Pieces, ABoxHasOneSeamOnItsEdges) {
   EXPECT_NEAR(result.formed.seams[0].crease_share, 1.0, 1e-9);
   ASSERT_TRUE(result.enclosed_air);
   EXPECT_EQ(*result.enclosed_air, 0.0);
+}
+
+/// Facets as large as the part that all cross each other.
+TEST(Pieces, TooManyCrossingsAreRefused) {
+  test::Random random(7);
+  TriangleMesh soup;
+  for (VertexIndex k = 0; k < 1200; ++k) {
+    soup.vertices.push_back(random.in_cube(1.0));
+    if (k % 3 == 2) soup.facets.push_back({k - 2, k - 1, k});
+  }
+  try {
+    static_cast<void>(pieces_of(soup));
+    ADD_FAILURE() << "taken";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string_view(error.what()).find("raise --effort"), std::string_view::npos) << error.what();
+  }
 }
 
 TEST(Pieces, CanBeCancelled) {
