@@ -268,6 +268,19 @@ TEST(Pieces, ABoxHasOneSeamOnItsEdges) {
   EXPECT_EQ(*result.enclosed_air, 0.0);
 }
 
+/// Of four directions one forms all but the face that looks away from it, the smallest of the box: no seam
+/// can be shorter. Beside a piece that is settled already a seam costs as much as elsewhere.
+TEST(Pieces, OfManyDirectionsThoseFormABoxThatHaveTheShortestSeam) {
+  const auto model = model_of(test::box_shape({}).mesh);
+  const std::array<glm::dvec3, 4> directions = {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1),
+                                                glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)};
+  const FormedSurface formed = form_surface(*model, exact_query(*model, {}), directions, Progress());
+  double length = 0.0;
+  for (const PieceSeam& seam : formed.seams) length += seam.length;
+  EXPECT_NEAR(length, 2.0 * (24.3 + 12.1), 1e-9);
+  EXPECT_EQ(formed.patches.size(), 2U);
+}
+
 /// Facets as large as the part that all cross each other.
 TEST(Pieces, TooManyCrossingsAreRefused) {
   test::Random random(7);
