@@ -29,6 +29,8 @@ constexpr double k_line_reach = 1.5e-4;
 constexpr double k_plane_slack = 1e-5;
 /// Shorter stretches of the outline than this, in diagonals, do not pull the surface along.
 constexpr double k_tongue = 2e-3;
+/// Steps are taken where so much more of the surface is one plane.
+constexpr double k_worth_steps = 0.05;
 using EndRanges = std::array<HeightRange, 2>;
 
 std::unordered_map<std::uint64_t, EndRanges> segment_ranges(const Sheets& sheets) {
@@ -90,9 +92,60 @@ double width_of(const std::vector<RimSegment>& rims) {
   return around > 0.0 ? std::abs(twice_area) / around : 0.0;
 }
 
+/// Of places of the region how many are in the largest level of a field; `hole`: the region is what the
+/// outline goes around.
+double level_share(const ShelfField& field, const std::vector<RimSegment>& rims, bool hole) {
+  constexpr int k_places = 40;
+  constexpr double k_around = 0.15, k_one_level = 1e-7;
+  glm::dvec2 low(INFINITY), high(-INFINITY);
+  for (const RimSegment& rim : rims) {
+    low = glm::min(low, rim.ends[0]);
+    high = glm::max(high, rim.ends[0]);
+  }
+  const double margin = hole ? 0.0 : k_around;
+  std::map<std::int64_t, int> counts;
+  int all = 0, most = 0;
+  for (int i = 0; i < k_places; ++i) {
+    const double y = glm::mix(low.y - margin, high.y + margin, (i + 0.5) / k_places);
+    std::vector<double> crossings;
+    for (const RimSegment& rim : rims) {
+      const auto& [a, b] = rim.ends;
+      if ((a.y <= y) != (b.y <= y)) crossings.push_back(glm::mix(a.x, b.x, (y - a.y) / (b.y - a.y)));
+    }
+    std::ranges::sort(crossings);
+    for (int k = 0; k < k_places; ++k) {
+      const double x = glm::mix(low.x - margin, high.x + margin, (k + 0.5) / k_places);
+      const auto before = std::ranges::upper_bound(crossings, x) - crossings.begin();
+      if ((before % 2 == 1) != hole) continue;
+      ++all;
+      most = std::max(most, ++counts[std::llround(field.at({x, y}) / k_one_level)]);
+    }
+  }
+  return all > 0 ? static_cast<double>(most) / all : 0.0;
+}
+
+/// Steps in place of a shelf with ramps, where more of them is one plane; with walls as they are to be
+/// formed, or else, as they are upright, by either half.
+std::optional<ShelfField> better_steps(const ShelfField& shelf, const std::vector<RimSegment>& rims,
+                                       const std::vector<RimSegment>& free, bool hole, double wish) {
+  const ShelfShape& shape = shelf.shape();
+  for (const std::vector<RimSegment>* outline : {&rims, &free}) {
+    std::optional<StepProfile> steps = step_profile(*outline, wish, shape);
+    if (!steps) continue;
+    if (!hole) steps->level_around(rims, shape);
+    ShelfField field(*outline, *std::move(steps), shape);
+    if (level_share(field, rims, hole) < level_share(shelf, rims, hole) + k_worth_steps) continue;
+    return field;
+  }
+  return std::nullopt;
+}
+
 /// Facets may be off by so much, in diagonals of the part; points are no nearer to each other than that.
 constexpr double k_most_off = 1e-3, k_least_apart = 2e-3;
 constexpr int k_most_layout_rounds = 6;
+/// A line that is laid passes points as near as this, in diagonals of the part; and so much is in its way.
+constexpr double k_passed = 1e-6;
+constexpr int k_most_obstacles = 2000;
 constexpr std::size_t k_most_points = 1500;
 /// Places at which an edge is looked at.
 constexpr std::size_t k_samples = 8;
@@ -156,6 +209,10 @@ class Layout {
   Layout(PlaneMesh& mesh, std::span<const ShelfField> fields) : mesh_(mesh), fields_(fields) {}
 
   void run() {
+    for (const ShelfField& field : fields_) {
+      if (!field.steps()) continue;
+      for (const auto& [a, b] : field.steps()->creases(mesh_.points()[0], mesh_.points()[2])) lay(a, b);
+    }
     const std::size_t most = mesh_.points().size() + k_most_points;
     for (int round = 0; round < k_most_layout_rounds && mesh_.points().size() < most; ++round) {
       if (!cut_bends()) return;
@@ -164,6 +221,47 @@ class Layout {
 
  private:
   using Edge = std::array<std::uint32_t, 2>;
+
+  /// A line of the plane as segments, over the points that it passes.
+  void lay(const glm::dvec2& a, const glm::dvec2& b) {
+    const glm::dvec2 way = b - a;
+    const double length = glm::length(way);
+    if (length < k_passed) return;
+    std::vector<std::pair<double, std::uint32_t>> passed;
+    for (std::uint32_t k = 0; k < mesh_.points().size(); ++k) {
+      const glm::dvec2 from = mesh_.points()[k] - a;
+      const double along = glm::dot(from, way) / length;
+      if (along > -k_passed && along < length + k_passed &&
+          std::abs(way.x * from.y - way.y * from.x) <= k_passed * length)
+        passed.emplace_back(along, k);
+    }
+    std::ranges::sort(passed);
+    if (passed.empty() || passed.front().first > k_passed)
+      passed.insert(passed.begin(), {0.0, mesh_.add_point(on_grid(a))});
+    if (passed.back().first < length - k_passed) passed.emplace_back(length, mesh_.add_point(on_grid(b)));
+    for (std::size_t k = 1; k < passed.size(); ++k)
+      connect(passed[k - 1].second, passed[k].second, k_most_obstacles);
+  }
+
+  void connect(std::uint32_t a, std::uint32_t b, int most) {
+    if (a == b || most == 0) return;
+    const auto obstacle = mesh_.add_segment(a, b, PlaneMesh::k_rim);
+    if (!obstacle) return;
+    std::uint32_t by = obstacle->point;
+    if (by == PlaneMesh::k_none && obstacle->segment[0] != PlaneMesh::k_none) {
+      const auto& [c, d] = obstacle->segment;
+      const glm::dvec2 pa = mesh_.points()[a], pc = mesh_.points()[c], r = mesh_.points()[b] - pa,
+                       s = mesh_.points()[d] - pc, to = pc - pa;
+      const double t = (to.x * s.y - to.y * s.x) / (r.x * s.y - r.y * s.x);
+      const glm::dvec2 at = on_grid(pa + t * r);
+      by = glm::distance(at, pc) < k_passed                  ? c
+           : glm::distance(at, mesh_.points()[d]) < k_passed ? d
+                                                             : mesh_.divide_segment(c, d, at);
+    }
+    if (by == PlaneMesh::k_none) return;
+    connect(a, by, most - 1);
+    connect(by, b, most - 1);
+  }
   struct Cut {
     std::uint32_t region = 0;
     bool fixed = false;
@@ -288,8 +386,8 @@ void keep_walls(const RimWishes& wishes, std::vector<RimSegment>& rims) {
   }
 }
 
-std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RimWishes& wishes, const ShelfShape& shape,
-                                     const Progress& progress) {
+std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RegionRims& free, const RimWishes& wishes,
+                                     const ShelfShape& shape, const Progress& progress) {
   std::vector<ShelfField> fields;
   for (const std::vector<RimSegment>& region : rims) {
     const auto of_line =
@@ -307,6 +405,10 @@ std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RimWishes& wi
     const bool too_narrow = !fields.empty() && (width <= k_small_hole || !shelf.meets(region, width));
     fields.emplace_back(too_narrow ? std::vector<RimSegment>{} : without_tongues(region, shelf), shelf,
                         shape);
+    if (fields.back().plane()) continue;
+    const std::size_t number = fields.size() - 1;
+    if (auto steps = better_steps(fields.back(), region, free[number], number > 0, shelf.height))
+      fields.back() = *std::move(steps);
   }
   return fields;
 }

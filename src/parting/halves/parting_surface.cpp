@@ -21,6 +21,9 @@ constexpr int k_most_surface_rounds = 8;
 /// Of the edges over one segment each is compared with so many that follow by height.
 constexpr std::size_t k_most_compared = 64;
 
+/// Ramps of steps stay as steep as they are.
+constexpr double k_over_steps = 1.01;
+
 /// Between what heights the surface has to stay at the outline, so that the halves touch nowhere else.
 std::unordered_map<PlanePoint, HeightRange> outline_ranges(const Sheets& sheets) {
   std::unordered_map<PlanePoint, HeightRange> ranges;
@@ -104,6 +107,26 @@ std::vector<double> heights_at(const PlaneMesh& mesh, const std::vector<ShelfFie
     }
   }
   return z;
+}
+
+/// What is level or a step beside the part stays so: where the outline forces some surface to be too steep,
+/// no slope of what is around it mends that.
+void hold_ground(const PlaneMesh& mesh, const std::vector<ShelfField>& fields, const std::vector<double>& z,
+                 std::vector<HeightRange>& ranges) {
+  constexpr double k_same_height = 1e-7;
+  std::vector<std::uint8_t> leaves(z.size(), 0);
+  for (const PlaneMesh::Triangle& t : mesh.triangles()) {
+    if (t.inside) continue;
+    for (const std::uint32_t point : t.corners) {
+      if (std::abs(z[point] - fields[t.region].ground(mesh.points()[point])) > k_same_height)
+        leaves[point] = 1;
+    }
+  }
+  for (std::size_t point = 0; point < z.size(); ++point) {
+    HeightRange& range = ranges[point];
+    if (leaves[point] == 0 && std::isfinite(z[point]) && std::isinf(range.low) && std::isinf(range.high))
+      range.low = range.high = z[point];
+  }
 }
 
 /// Vertices of the sheet at the points, and its facets.
@@ -200,9 +223,10 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
   OutlinePlane plane(surface.low, surface.high);
   if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
   RegionRims rims = outline_rims(sheets, plane);
+  RegionRims free = rims;
   for (std::vector<RimSegment>& region : rims) keep_walls(wishes, region);
-  std::vector<ShelfField> fields = shelf_fields(rims, wishes, wish.shape, progress);
-  const LevelOutside level = level_outside(rims[0], fields[0].shelf().height, wish.shape);
+  std::vector<ShelfField> fields = shelf_fields(rims, free, wishes, wish.shape, progress);
+  const LevelOutside level = level_outside(rims[0], fields[0]);
   if (wish.grows) {
     surface.low = on_grid(glm::min(wish.low, level.low));
     surface.high = on_grid(glm::max(wish.high, level.high));
@@ -211,8 +235,13 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
     plane = OutlinePlane(surface.low, surface.high);
     if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
     rims = outline_rims(sheets, plane);
+    free = rims;
     for (std::vector<RimSegment>& region : rims) keep_walls(wishes, region);
-    fields = shelf_fields(rims, wishes, wish.shape, progress);
+    fields = shelf_fields(rims, free, wishes, wish.shape, progress);
+  }
+  double slope = wish.shape.slope;
+  for (const ShelfField& field : fields) {
+    if (field.steps()) slope = std::max(slope, k_over_steps * field.steps()->steepest());
   }
   go_on();
   const std::vector<Cone> cones = register_cones(wish, surface);
@@ -220,10 +249,11 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
   lay_shelf(sheets, fields, wish.tolerance, plane);
   go_on();
   plane.column_of.resize(plane.mesh.points().size(), k_no_plane_point);
-  const std::vector<HeightRange> ranges = point_ranges(sheets, plane);
-  surface.forced = forced_slope(plane.mesh, ranges, wish.shape.slope);
+  std::vector<HeightRange> ranges = point_ranges(sheets, plane);
+  surface.forced = forced_slope(plane.mesh, ranges, slope);
   std::vector<double> z = heights_at(plane.mesh, fields);
-  keep_slope(plane.mesh, ranges, {wish.shape.slope, k_narrow, surface.forced.tangent > 0.0}, z);
+  if (surface.forced.tangent > 0.0) hold_ground(plane.mesh, fields, z, ranges);
+  keep_slope(plane.mesh, ranges, {slope, k_narrow, surface.forced.tangent > 0.0}, z);
   for (std::size_t point = 0; point < z.size(); ++point) {
     for (const Cone& cone : cones) z[point] -= cone.depth_at(plane.mesh.points()[point]);
   }

@@ -96,8 +96,6 @@ class LengthsBelow {
 
 }  // namespace
 
-double RimSegment::length() const { return glm::distance(ends[0], ends[1]); }
-
 bool ShelfPlane::meets(const std::vector<RimSegment>& rims, double slack) const {
   return std::ranges::all_of(rims, [&](const RimSegment& rim) {
     for (std::size_t k = 0; k < 2; ++k) {
@@ -149,12 +147,18 @@ ShelfField::ShelfField(const std::vector<RimSegment>& rims, const ShelfPlane& sh
   down_ = side_of(rims, -1.0);
 }
 
+ShelfField::ShelfField(const std::vector<RimSegment>& rims, StepProfile steps, const ShelfShape& shape)
+    : shelf_{.height = steps.base()}, shape_(shape), steps_(std::move(steps)) {
+  up_ = side_of(rims, 1.0);
+  down_ = side_of(rims, -1.0);
+}
+
 ShelfField::Side ShelfField::side_of(const std::vector<RimSegment>& rims, double sign) const {
   // Heights above the shelf: the least at which each end may be met, and the most.
   const auto above = [&](const RimSegment& rim, std::size_t end, bool least) {
     const HeightRange& range = rim.ranges[end];
     const double z = (sign > 0.0) == least ? range.low : range.high;
-    return sign * (z - shelf_.at(rim.ends[end]));
+    return sign * (z - ground(rim.ends[end]));
   };
   double most = 0.0;
   for (const RimSegment& rim : rims) most = std::max({most, above(rim, 0, true), above(rim, 1, true)});
@@ -187,7 +191,7 @@ double ShelfField::rise(const Side& side, const glm::dvec2& place, double sign) 
 
 double ShelfField::at(const glm::dvec2& place) const {
   if (plane_) return shelf_.at(place);
-  return shelf_.at(place) + rise(up_, place, 1.0) + rise(down_, place, -1.0);
+  return ground(place) + rise(up_, place, 1.0) + rise(down_, place, -1.0);
 }
 
 double shelf_level(const std::vector<RimSegment>& rims, const std::vector<double>& line, double wish) {
@@ -273,8 +277,17 @@ ShelfPlane fitted_plane(const std::vector<RimSegment>& rims) {
   return plane;
 }
 
-LevelOutside level_outside(const std::vector<RimSegment>& rims, double shelf, const ShelfShape& shape) {
+LevelOutside level_outside(const std::vector<RimSegment>& rims, const ShelfField& field) {
   LevelOutside outside;
+  if (field.steps()) {
+    for (const glm::dvec2& corner : field.steps()->level_corners()) {
+      outside.low = glm::min(outside.low, corner);
+      outside.high = glm::max(outside.high, corner);
+    }
+    return outside;
+  }
+  const double shelf = field.shelf().height;
+  const ShelfShape& shape = field.shape();
   for (const RimSegment& rim : rims) {
     for (std::size_t k = 0; k < 2; ++k) {
       const double climb = std::max(rim.ranges[k].low - shelf, shelf - rim.ranges[k].high);

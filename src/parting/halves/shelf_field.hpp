@@ -5,28 +5,15 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
-#include "parting/halves/plane_mesh.hpp"
+#include "parting/halves/rim_segment.hpp"
+#include "parting/halves/step_profile.hpp"
 
 namespace moldlight {
-
-/// A segment of the outline, the surface on its left, and between what heights it may be met at the ends.
-struct RimSegment {
-  std::array<glm::dvec2, 2> ends{};
-  std::array<HeightRange, 2> ranges{};
-
-  [[nodiscard]] double length() const;
-};
-
-/// Tangents of slopes, and a length.
-struct ShelfShape {
-  double ramp = 0.57735;     // of ramps
-  double slope = 1.7320508;  // the most, where the outline itself is steeper than a ramp
-  double land = 0.02;        // level outwards from the outline
-};
 
 /// A plane over the plane.
 struct ShelfPlane {
@@ -70,12 +57,21 @@ class Envelope {
 class ShelfField {
  public:
   ShelfField(const std::vector<RimSegment>& rims, const ShelfPlane& shelf, const ShelfShape& shape);
+  /// Steps in the shelf's place; its land and ramps join them to what of the outline they leave.
+  ShelfField(const std::vector<RimSegment>& rims, StepProfile steps, const ShelfShape& shape);
 
   [[nodiscard]] double at(const glm::dvec2& place) const;
   /// Whether the shelf is all of the surface.
   [[nodiscard]] bool plane() const { return plane_; }
   [[nodiscard]] const ShelfPlane& shelf() const { return shelf_; }
   [[nodiscard]] const ShelfShape& shape() const { return shape_; }
+  /// None where land and ramps join the shelf to the outline.
+  [[nodiscard]] const std::optional<StepProfile>& steps() const { return steps_; }
+
+  /// The shelf, or the steps.
+  [[nodiscard]] double ground(const glm::dvec2& place) const {
+    return steps_ ? steps_->at(place) : shelf_.at(place);
+  }
 
  private:
   /// What leaves the shelf one way: pulls the surface along, and what holds it back; downwards with heights
@@ -88,7 +84,8 @@ class ShelfField {
 
   ShelfPlane shelf_;
   ShelfShape shape_;
-  bool plane_;
+  bool plane_ = false;
+  std::optional<StepProfile> steps_;
   Side up_, down_;
 };
 
@@ -104,7 +101,6 @@ class ShelfField {
 struct LevelOutside {
   glm::dvec2 low{INFINITY}, high{-INFINITY};
 };
-[[nodiscard]] LevelOutside level_outside(const std::vector<RimSegment>& rims, double shelf,
-                                         const ShelfShape& shape);
+[[nodiscard]] LevelOutside level_outside(const std::vector<RimSegment>& rims, const ShelfField& field);
 
 }  // namespace moldlight
