@@ -30,10 +30,10 @@ TEST(Help, PutsFlagsIntoGroupsExpertsLast) {
 }
 
 TEST(Help, HasEveryFlagInOneGroup) {
+  const std::string list = run_moldlight({"manual", "--form", "flags"}).out;
   for (const std::string command :
        {"info", "classify", "actions", "mold", "sweep", "pieces", "compare", "view"}) {
-    const std::string help = run_moldlight({command, "--help"}).out,
-                      list = run_moldlight({"manual", "--form", "flags"}).out;
+    const std::string help = run_moldlight({command, "--help"}).out;
     const std::size_t begin = list.find("\n## " + command + "\n");
     ASSERT_NE(begin, std::string::npos) << command;
     const std::string flags = list.substr(begin, list.find("\n## ", begin + 1) - begin);
