@@ -71,27 +71,33 @@ MoldSceneMesh mold_scene_mesh(const MoldScene& scene) {
   const PartModel& model = scene.model;
   const MoldHalves& halves = scene.halves;
   const double diagonal = model.frame.diagonal, scale = halves.scale;
-  const auto in_place = [&](const glm::dvec3& at) {
-    return scale * halves.frame.to_mold(at - halves.centre);
-  };
+  glm::dvec3 away(0.0);  // of the part from its place in the mold
   SceneMesh mesh;
   if (halves.made()) {
     const Bounds core = bounds(halves.core.mesh), cavity = bounds(halves.cavity.mesh);
-    // Side by side for who looks from a corner.
+    // For who looks from a corner: the halves side by side, the part behind them and above.
     const Bounds whole = model.health.bounds;
     const glm::dvec3 block = core.max - core.min,
-                     inner = glm::abs(halves.frame.to_mold(whole.max - whole.min));
-    const double step = 0.25 * (block.x + block.y + scale * (inner.x + inner.y)) + k_gap * diagonal * scale;
+                     inner = scale * glm::abs(halves.frame.to_mold(whole.max - whole.min));
+    const double gap = k_gap * diagonal * scale, step = 0.25 * (block.x + block.y) + 0.5 * gap;
     // Both halves stand on their lids.
     const double lower = core.max.z + cavity.min.z;
+    away.x = -0.5 * (inner.x + gap);
+    away.y = 0.5 * (inner.y + gap);
+    const double top = std::max(cavity.max.z, lower - core.min.z);
+    away.z =
+        std::max(0.0, top + 0.5 * inner.z - scale * halves.frame.to_mold(whole.center() - halves.centre).z);
     mesh.add(halves.cavity.mesh, Region::cavity,
              [&](const glm::dvec3& v) { return v + glm::dvec3(step, step, 0); });
     mesh.add(halves.core.mesh, Region::core,
              [&](const glm::dvec3& v) { return glm::dvec3(v.x - step, -v.y - step, lower - v.z); });
   }
+  const auto out = [&](const glm::dvec3& v) { return v + away; };
+  const auto in_place = [&](const glm::dvec3& at) {
+    return out(scale * halves.frame.to_mold(at - halves.centre));
+  };
   mesh.add(model.part.mesh, Region::both, in_place);
-  for (const MoldBody& insert : halves.inserts)
-    mesh.add(insert.mesh, Region::undercut, [](const glm::dvec3& v) { return v; });
+  for (const MoldBody& insert : halves.inserts) mesh.add(insert.mesh, Region::undercut, out);
   for (const PartingLoop& loop : scene.line.loops) {
     if (loop.kind == LoopKind::action) continue;
     std::vector<glm::dvec3> points;
