@@ -310,6 +310,16 @@ bool Release::clears(FreeLengths& lengths, const LifterWay& way, double room) co
       lengths.first_blocked());
 }
 
+double Release::free_of_all(FreeLengths& lengths, double least) const {
+  const double most_blocked = k_blocked_share * area_of(lengths.samples());
+  double free = k_never;
+  for (const UndercutSample& sample : lengths.samples()) {
+    if (sample.area > most_blocked) free = std::min(free, lengths.of(sample));
+    if (free < least) break;
+  }
+  return free;
+}
+
 std::optional<double> Release::first_clear(FreeLengths& lengths, LifterWay way) const {
   constexpr double k_first_step = 1.0 / 1024.0, k_growth = 1.12;
   const auto all_clear = [&](double length) {
@@ -317,9 +327,12 @@ std::optional<double> Release::first_clear(FreeLengths& lengths, LifterWay way) 
     return clears(lengths, way);
   };
   const double least = way.length;
+  // Beyond that it is blocked, however clear its way out.
+  const double most = std::min(k_glide_across, free_of_all(lengths, least));
+  if (most < least) return std::nullopt;
   if (all_clear(least)) return least;
   double bad = least;
-  for (double good = std::max(k_first_step, k_growth * least); good <= k_glide_across; good *= k_growth) {
+  for (double good = std::max(k_first_step, k_growth * least); good <= most; good *= k_growth) {
     if (!all_clear(good)) {
       bad = good;
       continue;

@@ -118,6 +118,8 @@ class Release {
                                     const glm::dvec3& side, double step) const;
   /// Whether all of them do; as releases().
   [[nodiscard]] bool clears(FreeLengths& lengths, const LifterWay& way, double room = 0.0) const;
+  /// How far all samples move but for specks; less than `least` where that is certainly too little.
+  [[nodiscard]] double free_of_all(FreeLengths& lengths, double least) const;
   /// The least length, from that of the way on, at which all samples are clear at once and which they reach;
   /// none where there is no such length.
   [[nodiscard]] std::optional<double> first_clear(FreeLengths& lengths, LifterWay way) const;
