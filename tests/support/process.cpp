@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <regex>
+#include <sstream>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -66,7 +68,12 @@ bool read_some(int descriptor, std::string& text) {
 }  // namespace
 
 std::size_t ProcessResult::error_lines() const {
-  return static_cast<std::size_t>(std::count(err.begin(), err.end(), '\n'));
+  // A slow machine has time for lines of progress.
+  static const std::regex k_progress(R"(^ *[0-9]+ %  .*)");
+  std::size_t count = 0;
+  std::istringstream lines(err);
+  for (std::string line; std::getline(lines, line);) count += std::regex_match(line, k_progress) ? 0 : 1;
+  return count;
 }
 
 Process::Process(const std::vector<std::string>& arguments, const ProcessSettings& settings)

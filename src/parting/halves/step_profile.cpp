@@ -216,6 +216,7 @@ class RunSearch {
  private:
   static constexpr std::size_t k_most_runs = 5;
   static constexpr double k_short = 0.01;  // diagonals
+  static constexpr int k_most_tries = 2000;
 
   void go_on(std::size_t first) {
     if (first == stations_.size()) {
@@ -223,7 +224,7 @@ class RunSearch {
       if (knots.size() >= 2 && (best_.empty() || knots.size() < best_.size())) best_ = std::move(knots);
       return;
     }
-    if (runs_.size() == k_most_runs) return;
+    if (runs_.size() == k_most_runs || ++tries_ > k_most_tries) return;
     const Run level = level_run(stations_, first, wish_);
     const Run inclined = inclined_run(stations_, first, shape_.steps);
     const auto is_short = [&](const Run& run) {
@@ -249,6 +250,7 @@ class RunSearch {
   double wish_;
   const ShelfShape& shape_;
   std::vector<Run> runs_;
+  int tries_ = 0;
   StepProfile::Knots best_;
 };
 
