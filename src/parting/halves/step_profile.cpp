@@ -172,9 +172,10 @@ Run inclined_run(const std::vector<Station>& stations, std::size_t first, double
 }
 
 /// Knots of a profile over the runs, where the ramps between them may stand; none where they are too steep.
-StepProfile::Knots knots_of(const std::vector<Station>& stations, std::vector<Run> runs,
+StepProfile::Knots knots_of(const std::vector<Station>& stations, const std::vector<Run>& runs,
                             const ShelfShape& shape) {
   StepProfile::Knots knots;
+  if (runs.empty()) return knots;
   const Run& front = runs.front();
   if (front.tilt != 0.0) knots.push_back({stations.front().place, front.at(stations.front().place)});
   for (std::size_t k = 0; k + 1 < runs.size(); ++k) {
