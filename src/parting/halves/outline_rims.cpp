@@ -14,6 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/union_find.hpp"
+#include "parting/halves/find_steps.hpp"
 
 namespace moldlight {
 
@@ -92,8 +93,8 @@ double width_of(const std::vector<RimSegment>& rims) {
   return around > 0.0 ? std::abs(twice_area) / around : 0.0;
 }
 
-/// Of places of the region how many are in the largest level of a field; `hole`: the region is what the
-/// outline goes around.
+/// Of places near the outline how many are in the largest level of a field; `hole`: of all that the outline
+/// goes around.
 double level_share(const ShelfField& field, const std::vector<RimSegment>& rims, bool hole) {
   constexpr int k_places = 40;
   constexpr double k_around = 0.15, k_one_level = 1e-7;
@@ -103,6 +104,14 @@ double level_share(const ShelfField& field, const std::vector<RimSegment>& rims,
     high = glm::max(high, rim.ends[0]);
   }
   const double margin = hole ? 0.0 : k_around;
+  // However the part lies in the plane.
+  const auto near_outline = [&](const glm::dvec2& at) {
+    return std::ranges::any_of(rims, [&](const RimSegment& rim) {
+      const glm::dvec2 way = rim.ends[1] - rim.ends[0], from = at - rim.ends[0];
+      const double share = std::clamp(glm::dot(from, way) / std::max(glm::dot(way, way), 1e-300), 0.0, 1.0);
+      return glm::distance(from, share * way) <= k_around;
+    });
+  };
   std::map<std::int64_t, int> counts;
   int all = 0, most = 0;
   for (int i = 0; i < k_places; ++i) {
@@ -116,7 +125,7 @@ double level_share(const ShelfField& field, const std::vector<RimSegment>& rims,
     for (int k = 0; k < k_places; ++k) {
       const double x = glm::mix(low.x - margin, high.x + margin, (k + 0.5) / k_places);
       const auto before = std::ranges::upper_bound(crossings, x) - crossings.begin();
-      if ((before % 2 == 1) != hole) continue;
+      if ((before % 2 == 1) != hole || (!hole && !near_outline({x, y}))) continue;
       ++all;
       most = std::max(most, ++counts[std::llround(field.at({x, y}) / k_one_level)]);
     }
@@ -124,20 +133,15 @@ double level_share(const ShelfField& field, const std::vector<RimSegment>& rims,
   return all > 0 ? static_cast<double>(most) / all : 0.0;
 }
 
-/// Steps in place of a shelf with ramps, where more of them is one plane; with walls as they are to be
-/// formed, or else, as they are upright, by either half.
+/// Steps in place of a shelf with ramps, where more of them is one plane.
 std::optional<ShelfField> better_steps(const ShelfField& shelf, const std::vector<RimSegment>& rims,
-                                       const std::vector<RimSegment>& free, bool hole, double wish) {
-  const ShelfShape& shape = shelf.shape();
-  for (const std::vector<RimSegment>* outline : {&rims, &free}) {
-    std::optional<StepProfile> steps = step_profile(*outline, wish, shape);
-    if (!steps) continue;
-    if (!hole) steps->level_around(rims, shape);
-    ShelfField field(*outline, *std::move(steps), shape);
-    if (level_share(field, rims, hole) < level_share(shelf, rims, hole) + k_worth_steps) continue;
-    return field;
-  }
-  return std::nullopt;
+                                       bool hole) {
+  std::optional<StepProfile> steps = find_steps(rims, shelf.shelf().height, shelf.shape());
+  if (!steps) return std::nullopt;
+  if (!hole) steps->level_around(rims, shelf.shape());
+  ShelfField field(rims, *std::move(steps), shelf.shape());
+  if (level_share(field, rims, hole) < level_share(shelf, rims, hole) + k_worth_steps) return std::nullopt;
+  return field;
 }
 
 /// Facets may be off by so much, in diagonals of the part; points are no nearer to each other than that.
@@ -239,12 +243,13 @@ class Layout {
     if (passed.empty() || passed.front().first > k_passed)
       passed.insert(passed.begin(), {0.0, mesh_.add_point(on_grid(a))});
     if (passed.back().first < length - k_passed) passed.emplace_back(length, mesh_.add_point(on_grid(b)));
-    for (std::size_t k = 1; k < passed.size(); ++k)
-      connect(passed[k - 1].second, passed[k].second, k_most_obstacles);
+    int most = k_most_obstacles;
+    for (std::size_t k = 1; k < passed.size(); ++k) connect(passed[k - 1].second, passed[k].second, most);
   }
 
-  void connect(std::uint32_t a, std::uint32_t b, int most) {
-    if (a == b || most == 0) return;
+  /// Over what stands in the way; of that `most` is left.
+  void connect(std::uint32_t a, std::uint32_t b, int& most) {
+    if (a == b || most-- <= 0) return;
     const auto obstacle = mesh_.add_segment(a, b, PlaneMesh::k_rim);
     if (!obstacle) return;
     std::uint32_t by = obstacle->point;
@@ -259,8 +264,8 @@ class Layout {
                                                              : mesh_.divide_segment(c, d, at);
     }
     if (by == PlaneMesh::k_none) return;
-    connect(a, by, most - 1);
-    connect(by, b, most - 1);
+    connect(a, by, most);
+    connect(by, b, most);
   }
   struct Cut {
     std::uint32_t region = 0;
@@ -386,8 +391,8 @@ void keep_walls(const RimWishes& wishes, std::vector<RimSegment>& rims) {
   }
 }
 
-std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RegionRims& free, const RimWishes& wishes,
-                                     const ShelfShape& shape, const Progress& progress) {
+std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RimWishes& wishes, const ShelfShape& shape,
+                                     const Progress& progress) {
   std::vector<ShelfField> fields;
   for (const std::vector<RimSegment>& region : rims) {
     const auto of_line =
@@ -406,8 +411,7 @@ std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RegionRims& f
     fields.emplace_back(too_narrow ? std::vector<RimSegment>{} : without_tongues(region, shelf), shelf,
                         shape);
     if (fields.back().plane()) continue;
-    const std::size_t number = fields.size() - 1;
-    if (auto steps = better_steps(fields.back(), region, free[number], number > 0, shelf.height))
+    if (auto steps = better_steps(fields.back(), region, fields.size() > 1))
       fields.back() = *std::move(steps);
   }
   return fields;

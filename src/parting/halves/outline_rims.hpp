@@ -29,10 +29,8 @@ void keep_walls(const RimWishes& wishes, std::vector<RimSegment>& rims);
 
 /// The field of each region: where a level meets all of an outline, or a hole's is in one plane, it is that;
 /// where steps across the plane meet it, and more of them is one plane than of a shelf with its ramps, these.
-/// `free`: the same outline, whatever half is to form its walls.
-[[nodiscard]] std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RegionRims& free,
-                                                   const RimWishes& wishes, const ShelfShape& shape,
-                                                   const Progress& progress);
+[[nodiscard]] std::vector<ShelfField> shelf_fields(const RegionRims& rims, const RimWishes& wishes,
+                                                   const ShelfShape& shape, const Progress& progress);
 
 /// Adds points and segments outside of the outline, where the fields of the regions bend, and puts those on
 /// the outline into columns.

@@ -223,9 +223,8 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
   OutlinePlane plane(surface.low, surface.high);
   if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
   RegionRims rims = outline_rims(sheets, plane);
-  RegionRims free = rims;
   for (std::vector<RimSegment>& region : rims) keep_walls(wishes, region);
-  std::vector<ShelfField> fields = shelf_fields(rims, free, wishes, wish.shape, progress);
+  std::vector<ShelfField> fields = shelf_fields(rims, wishes, wish.shape, progress);
   const LevelOutside level = level_outside(rims[0], fields[0]);
   if (wish.grows) {
     surface.low = on_grid(glm::min(wish.low, level.low));
@@ -235,9 +234,8 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
     plane = OutlinePlane(surface.low, surface.high);
     if (auto fault = lay_outline(sheets, wish.tolerance, wish.height, plane)) return fault;
     rims = outline_rims(sheets, plane);
-    free = rims;
     for (std::vector<RimSegment>& region : rims) keep_walls(wishes, region);
-    fields = shelf_fields(rims, free, wishes, wish.shape, progress);
+    fields = shelf_fields(rims, wishes, wish.shape, progress);
   }
   double slope = wish.shape.slope;
   for (const ShelfField& field : fields) {

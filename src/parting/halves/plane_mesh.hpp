@@ -17,6 +17,7 @@ struct HeightRange {
 
   [[nodiscard]] bool empty() const { return low > high; }
   [[nodiscard]] double middle() const { return 0.5 * (low + high); }
+  [[nodiscard]] bool takes(double z, double slack) const { return z >= low - slack && z <= high + slack; }
 };
 
 /// Points are numbered in the order in which they are added, the rectangle's corners first (0 … 3,

@@ -99,8 +99,7 @@ class LengthsBelow {
 bool ShelfPlane::meets(const std::vector<RimSegment>& rims, double slack) const {
   return std::ranges::all_of(rims, [&](const RimSegment& rim) {
     for (std::size_t k = 0; k < 2; ++k) {
-      const double z = at(rim.ends[k]);
-      if (z < rim.ranges[k].low - slack || z > rim.ranges[k].high + slack) return false;
+      if (!rim.ranges[k].takes(at(rim.ends[k]), slack)) return false;
     }
     return true;
   });

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -13,6 +12,9 @@
 #include "parting/halves/rim_segment.hpp"
 
 namespace moldlight {
+
+/// What of the outline is met but for this much, in diagonals of the part, is met.
+inline constexpr double k_step_slack = 1e-5;
 
 class StepProfile {
  public:
@@ -75,11 +77,5 @@ class StepProfile {
   std::array<double, 2> most_{};     // above the base and below it
   glm::dvec2 low_{0.0}, high_{0.0};  // of the rectangle: across, along
 };
-
-/// The profile of the fewest planes that meets all of an outline, along the directions of its longest
-/// straight stretches or square to them, with levels as near as may be to `wish`; parted where it has to be.
-/// None where there is none of a few planes whose ramps are no steeper than steps may be.
-[[nodiscard]] std::optional<StepProfile> step_profile(const std::vector<RimSegment>& rims, double wish,
-                                                      const ShelfShape& shape);
 
 }  // namespace moldlight

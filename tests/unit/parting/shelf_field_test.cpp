@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "parting/make_halves.hpp"
+#include "support/box_pile.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/curved_solids.hpp"
 #include "unit/parting/certified_halves.hpp"
@@ -78,6 +79,25 @@ TEST(PartingSurface, HasAShelfAndAFlatEdge) {
   EXPECT_NEAR(halves.contact_area, 0.0, 1e-9);
   // The ramp ends within the block.
   EXPECT_GE(halves.margin, (halves.surface.high - halves.surface.shelf_height) / std::tan(M_PI / 6.0) - 0.1);
+}
+
+/// A ledge around a corner of a plate is steeper than the surface may be. That costs the level surface around
+/// the part nothing.
+TEST(ShelfField, StaysLevelWhereTheOutlineIsTooSteep) {
+  test::BoxPile pile{.planes = {{{0, 16, 20, 60}, {0, 30, 34, 40}, {0, 4, 12, 16}}}, .filled = {}};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) {
+        const bool beside = i == 0 || j == 2;
+        pile.filled.push_back(beside ? k == 2 : k == 0 || i == 1 || j == 1);
+      }
+    }
+  }
+  const TriangleMesh mesh = test::pile_mesh(pile, 1);
+  const MoldHalves halves = make_halves(*test::model_of(mesh), {0, 0, 1}, {4.0}, {}, Progress{});
+  test::expect_certified(halves, "ledge", &mesh);
+  EXPECT_GT(halves.forced_deg, 60.0);
+  EXPECT_GT(halves.surface.shelf_share(), 0.25);
 }
 
 }  // namespace

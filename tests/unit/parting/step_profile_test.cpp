@@ -1,11 +1,10 @@
 // Parting surfaces of steps, against outlines of known levels.
-#include "parting/halves/step_profile.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "parting/halves/find_steps.hpp"
 #include "parting/make_halves.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/solid_builder.hpp"
@@ -51,7 +50,7 @@ const std::vector<Stretch> k_one_step = {
 
 TEST(StepProfile, OfAStepIsTwoLevelsAndARamp) {
   const auto rims = outline(k_one_step, k_one_step);
-  auto profile = step_profile(rims, 0.01, {});
+  auto profile = find_steps(rims, 0.01, {});
   ASSERT_TRUE(profile);
   EXPECT_EQ(profile->bends(), 2U);
   expect_met(*profile, rims);
@@ -64,7 +63,7 @@ TEST(StepProfile, OfAStepIsTwoLevelsAndARamp) {
 
 TEST(StepProfile, ComesToOneLevelAroundThePart) {
   const auto rims = outline(k_one_step, k_one_step);
-  auto profile = step_profile(rims, 0.01, {});
+  auto profile = find_steps(rims, 0.01, {});
   ASSERT_TRUE(profile);
   const ShelfShape shape{.ramp = 0.5, .land = 0.02};
   profile->level_around(rims, shape);
@@ -113,7 +112,7 @@ TEST(StepProfile, ComesToOneLevelAroundThePart) {
 TEST(StepProfile, IsPartedWhereBothSidesStepElsewhere) {
   std::vector<Stretch> later = {{0.0, 0.6, {0.0, 0.02}}, {0.6, 0.65, {0.0, 0.12}}, {0.65, 0.9, {0.1, 0.12}}};
   const auto rims = outline(k_one_step, later);
-  const auto profile = step_profile(rims, 0.01, {});
+  const auto profile = find_steps(rims, 0.01, {});
   ASSERT_TRUE(profile);
   EXPECT_EQ(profile->bends(), 4U);
   expect_met(*profile, rims);
@@ -129,24 +128,24 @@ TEST(StepProfile, IsNoneWhereFewPlanesDoNot) {
     const double z = k % 2 == 0 ? 0.0 : 0.3;
     teeth.push_back({0.1 * k, 0.1 * (k + 1), {z, z + 0.01}});
   }
-  EXPECT_FALSE(step_profile(outline(teeth, teeth), 0.0, {}));
-  EXPECT_FALSE(step_profile({}, 0.0, {}));
+  EXPECT_FALSE(find_steps(outline(teeth, teeth), 0.0, {}));
+  EXPECT_FALSE(find_steps({}, 0.0, {}));
 }
 
 TEST(StepProfile, DoesNotDependOnTheOrderOfTheOutline) {
   auto rims = outline(k_one_step, k_one_step);
-  const auto profile = step_profile(rims, 0.01, {});
+  const auto profile = find_steps(rims, 0.01, {});
   std::ranges::reverse(rims);
-  const auto other = step_profile(rims, 0.01, {});
+  const auto other = find_steps(rims, 0.01, {});
   ASSERT_TRUE(profile && other);
   for (double x = -0.2; x < 1.2; x += 0.05) EXPECT_EQ(profile->at({x, 0.3}), other->at({x, 0.3}));
 }
 
-/// Two plates at two heights with a wall between them, as bent from sheet.
+/// A staircase of plates, as bent from sheet, however it lies in the plane.
 TEST(StepProfile, GivesHalvesOfFewPlanes) {
   test::SolidBuilder builder;
-  const std::vector<glm::dvec2> side = {{0, 0},   {30, 0},  {30, 15}, {60, 15},
-                                        {60, 18}, {27, 18}, {27, 3},  {0, 3}};
+  const std::vector<glm::dvec2> side = {{0, 0},    {40, 0},  {40, 17}, {80, 17}, {80, 31}, {110, 31},
+                                        {110, 34}, {77, 34}, {77, 20}, {37, 20}, {37, 3},  {0, 3}};
   const auto at = [&](std::size_t k, double y) { return glm::dvec3(side[k].x, y, side[k].y); };
   test::Loop front, back;
   for (std::size_t k = 0; k < side.size(); ++k) {
@@ -157,13 +156,17 @@ TEST(StepProfile, GivesHalvesOfFewPlanes) {
   }
   builder.face(front);
   builder.face(back);
-  const TriangleMesh mesh = builder.mesh();
-  const MoldHalves halves = make_halves(*test::model_of(mesh), {0, 0, 1}, {3.0}, {}, Progress{});
-  test::expect_certified(halves, "plates", &mesh);
-  EXPECT_EQ(halves.contact_area, 0.0);
-  EXPECT_LE(halves.surface.faces, 8U);
-  EXPECT_NEAR(halves.surface.rim_high, halves.surface.rim_low, 1e-9);
-  EXPECT_NEAR(halves.surface.steepest_deg, glm::degrees(std::atan(12.0 / 3.0)), 0.1);
+  for (const double turn_deg : {0.0, 90.0, 37.0}) {
+    TriangleMesh mesh = builder.mesh();
+    const double c = std::cos(glm::radians(turn_deg)), s = std::sin(glm::radians(turn_deg));
+    for (glm::dvec3& v : mesh.vertices) v = {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
+    const MoldHalves halves = make_halves(*test::model_of(mesh), {0, 0, 1}, {17.0}, {}, Progress{});
+    test::expect_certified(halves, "staircase", &mesh);
+    EXPECT_LE(halves.contact_area, 1e-6) << turn_deg;
+    EXPECT_LE(halves.surface.faces, 14U) << turn_deg;
+    EXPECT_NEAR(halves.surface.rim_high, halves.surface.rim_low, 1e-9);
+    EXPECT_NEAR(halves.surface.steepest_deg, glm::degrees(std::atan(14.0 / 3.0)), 0.1);
+  }
 }
 
 }  // namespace
