@@ -20,6 +20,8 @@ constexpr std::size_t k_most_rims = 2000;
 constexpr double k_bend_cost = 0.01, k_most_missed = 0.05;
 /// Of the height between the levels of the outline.
 constexpr double k_most_rise = 1.2;
+/// Of the slope that is allowed, so that none has to be brought down.
+constexpr double k_of_slope = 0.99;
 constexpr std::size_t k_most_knots = 8;
 constexpr std::size_t k_directions = 4;   // of the outline that are tried, and those square to them
 constexpr int k_partings = 8;             // places across the part at which a profile is parted
@@ -192,7 +194,7 @@ StepProfile::Knots knots_of(const std::vector<Station>& stations, const std::vec
     }
     knots.push_back({from, a.at(from)});
     knots.push_back({to, b.at(to)});
-    if (std::abs(knots.back().height - a.at(from)) > shape.steps * (to - from)) return {};
+    if (std::abs(knots.back().height - a.at(from)) > k_of_slope * shape.slope * (to - from)) return {};
   }
   const Run& back = runs.back();
   if (back.tilt != 0.0) knots.push_back({stations.back().place, back.at(stations.back().place)});
@@ -224,7 +226,7 @@ class RunSearch {
     const Run level = level_run(stations_, first, wish_);
     take(level);
     if (level.last + 1 == stations_.size()) return;
-    const Run inclined = inclined_run(stations_, first, shape_.steps);
+    const Run inclined = inclined_run(stations_, first, k_of_slope * shape_.slope);
     if (inclined.last > level.last) take(inclined);
   }
 

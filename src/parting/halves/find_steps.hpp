@@ -11,7 +11,7 @@ namespace moldlight {
 
 /// The profile of the fewest planes that meets all of an outline, along the directions of its longest
 /// straight stretches or square to them, with levels as near as may be to `wish`; parted where it has to be.
-/// None where there is none of a few planes whose ramps are no steeper than steps may be.
+/// None where there is none of a few planes within the slope that is allowed.
 [[nodiscard]] std::optional<StepProfile> find_steps(const std::vector<RimSegment>& rims, double wish,
                                                     const ShelfShape& shape);
 

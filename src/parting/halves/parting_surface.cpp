@@ -21,9 +21,6 @@ constexpr int k_most_surface_rounds = 8;
 /// Of the edges over one segment each is compared with so many that follow by height.
 constexpr std::size_t k_most_compared = 64;
 
-/// Ramps of steps stay as steep as they are.
-constexpr double k_over_steps = 1.01;
-
 /// Between what heights the surface has to stay at the outline, so that the halves touch nowhere else.
 std::unordered_map<PlanePoint, HeightRange> outline_ranges(const Sheets& sheets) {
   std::unordered_map<PlanePoint, HeightRange> ranges;
@@ -237,10 +234,6 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
     for (std::vector<RimSegment>& region : rims) keep_walls(wishes, region);
     fields = shelf_fields(rims, wishes, wish.shape, progress);
   }
-  double slope = wish.shape.slope;
-  for (const ShelfField& field : fields) {
-    if (field.steps()) slope = std::max(slope, k_over_steps * field.steps()->steepest());
-  }
   go_on();
   const std::vector<Cone> cones = register_cones(wish, surface);
   add_circles(plane.mesh, cones);
@@ -248,10 +241,10 @@ std::optional<MoldFault> add_parting_surface(Sheets& sheets, const SurfaceWish& 
   go_on();
   plane.column_of.resize(plane.mesh.points().size(), k_no_plane_point);
   std::vector<HeightRange> ranges = point_ranges(sheets, plane);
-  surface.forced = forced_slope(plane.mesh, ranges, slope);
+  surface.forced = forced_slope(plane.mesh, ranges, wish.shape.slope);
   std::vector<double> z = heights_at(plane.mesh, fields);
   if (surface.forced.tangent > 0.0) hold_ground(plane.mesh, fields, z, ranges);
-  keep_slope(plane.mesh, ranges, {slope, k_narrow, surface.forced.tangent > 0.0}, z);
+  keep_slope(plane.mesh, ranges, {wish.shape.slope, k_narrow, surface.forced.tangent > 0.0}, z);
   for (std::size_t point = 0; point < z.size(); ++point) {
     for (const Cone& cone : cones) z[point] -= cone.depth_at(plane.mesh.points()[point]);
   }

@@ -22,7 +22,6 @@ struct RimSegment {
 struct ShelfShape {
   double ramp = 0.57735;     // of ramps
   double slope = 1.7320508;  // the most, where the outline itself is steeper than a ramp
-  double steps = 11.430052;  // the most between the levels of steps: a shut-off at 5 degrees from upright
   double land = 0.02;        // level outwards from the outline
 };
 

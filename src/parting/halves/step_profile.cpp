@@ -39,17 +39,6 @@ double height_at(const StepProfile::Knots& knots, double place) {
 
 }  // namespace
 
-double StepProfile::steepest() const {
-  double most = levels_ ? ramp_ : 0.0;
-  for (const Knots& knots : sides_.knots) {
-    for (std::size_t k = 1; k < knots.size(); ++k) {
-      most = std::max(
-          most, std::abs(knots[k].height - knots[k - 1].height) / (knots[k].place - knots[k - 1].place));
-    }
-  }
-  return most;
-}
-
 double StepProfile::rise() const {
   double low = INFINITY, high = -INFINITY;
   for (const Knots& knots : sides_.knots) {

@@ -46,8 +46,6 @@ class StepProfile {
   [[nodiscard]] double missed_share(const std::vector<RimSegment>& rims) const;
   /// From its lowest level to its highest one.
   [[nodiscard]] double rise() const;
-  /// Tangent of the steepest ramp.
-  [[nodiscard]] double steepest() const;
   /// Straight lines at which the surface bends, for a rectangle of the plane.
   [[nodiscard]] std::vector<std::array<glm::dvec2, 2>> creases(const glm::dvec2& low,
                                                                const glm::dvec2& high) const;
