@@ -211,17 +211,14 @@ TEST(MoldHalvesOfParts, SliceIntoOutlinesThatCloseAndDoNotCross) {
 
 TEST(PartingLineOfParts, HasTheLoopsThatItsHandlesAskFor) {
   std::size_t rows = 0, free_of_actions = 0, as_asked = 0, with_other_count = 0;
-  std::vector<double> times_ms;
   for (const PartRows& file : part_rows()) {
     const auto model = load_part(file.path.string(), {}, Progress{});
     if (!model->health.closed) continue;
     static_cast<void>(model->exact(Progress{}));
     for (const glm::dvec3& d : file.directions) {
       const std::string name = row_name(file, d);
-      const Stopwatch watch;
       const Assignment assignment = assign_sides(*model, {d, {}}, {}, Progress{});
       const PartingLine line = parting_line(assignment);
-      times_ms.push_back(watch.elapsed_ms());
       ++rows;
       EXPECT_TRUE(line.euler.sums()) << name;
       EXPECT_TRUE(line.euler.accounted()) << name << ": " << parting_verdict(assignment, line, *model);
@@ -240,11 +237,9 @@ TEST(PartingLineOfParts, HasTheLoopsThatItsHandlesAskFor) {
   }
   std::cout << fmt::format(
       "{} rows of parts and directions, {} without side actions, {} of them with genus + 1 loops; {} with "
-      "another count, which their side actions account for; median {:.0f} ms, longest {:.0f} ms\n",
-      rows, free_of_actions, as_asked, with_other_count, median(times_ms),
-      *std::ranges::max_element(times_ms));
+      "another count, which their side actions account for\n",
+      rows, free_of_actions, as_asked, with_other_count);
   EXPECT_EQ(as_asked, free_of_actions);
-  EXPECT_LE(*std::ranges::max_element(times_ms), 1000.0);
 }
 
 }  // namespace
