@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "PLY and STL are written as numbers lie in memory");
+static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
 /// The regions as groups: number k is k_regions[k].
 class RegionGroups {
@@ -32,7 +32,12 @@ class RegionGroups {
     for (const Region region : coloured.regions) of_facet_.push_back(static_cast<std::uint32_t>(region));
   }
   [[nodiscard]] GroupedMesh mesh() const {
-    return {.mesh = coloured_.mesh, .groups = groups_, .of_facet = of_facet_, .unit = coloured_.unit};
+    return {.mesh = coloured_.mesh,
+            .groups = groups_,
+            .of_facet = of_facet_,
+            .unit = coloured_.unit,
+            .name = coloured_.name,
+            .values = coloured_.values};
   }
 
  private:
@@ -40,19 +45,6 @@ class RegionGroups {
   std::vector<MeshGroup> groups_;
   std::vector<std::uint32_t> of_facet_;
 };
-
-std::string description(const GroupedMesh& grouped) {
-  return fmt::format("moldlight {}{}", grouped.title,
-                     grouped.unit.empty() ? "" : ", unit " + clean_name(grouped.unit));
-}
-
-/// "0 core, 1 cavity, …".
-std::string group_numbers(const GroupedMesh& grouped) {
-  std::string text;
-  for (std::size_t k = 0; k < grouped.groups.size(); ++k)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", k, grouped.groups[k].name);
-  return text;
-}
 
 void write_ply(const std::string& path, const GroupedMesh& grouped) {
   const TriangleMesh& mesh = grouped.mesh;
@@ -65,7 +57,7 @@ void write_ply(const std::string& path, const GroupedMesh& grouped) {
                   "element face {}\nproperty list uchar uint vertex_indices\n"
                   "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty {} {}\n"
                   "end_header\n",
-                  description(grouped), grouped.what, group_numbers(grouped), mesh.vertices.size(),
+                  written_description(grouped), grouped.what, group_numbers(grouped), mesh.vertices.size(),
                   mesh.facets.size(), few ? "uchar" : "ushort", grouped.what));
   std::string row;
   for (const glm::dvec3& vertex : mesh.vertices) {
@@ -90,7 +82,7 @@ void write_ply(const std::string& path, const GroupedMesh& grouped) {
 }
 
 std::string material_library(const GroupedMesh& grouped) {
-  std::string text = fmt::format("# {}\n", description(grouped));
+  std::string text = fmt::format("# {}\n", written_description(grouped));
   for (const auto& [name, colour] : grouped.groups) {
     text += fmt::format("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nillum 1\n", name, colour.r / 255.0,
                         colour.g / 255.0, colour.b / 255.0);
@@ -104,8 +96,8 @@ void write_obj(const std::string& path, const GroupedMesh& grouped) {
   AtomicFile library(library_path);
   library.write(material_library(grouped));
   AtomicFile file(path);
-  file.write(
-      fmt::format("# {}\nmtllib {}\n", description(grouped), fs::path(library_path).filename().string()));
+  file.write(fmt::format("# {}\nmtllib {}\n", written_description(grouped),
+                         fs::path(library_path).filename().string()));
   std::string row;
   for (const glm::dvec3& vertex : mesh.vertices) {
     row.clear();
@@ -136,11 +128,12 @@ std::uint16_t stl_colour(Colour colour) {
 /// Binary STL of the facets that `takes` lets through by their groups.
 template <typename Filter>
 void write_stl_of(const std::string& path, const GroupedMesh& grouped, const Filter& takes) {
-  write_stl_facets(
-      path, description(grouped), grouped.mesh, [&](FacetIndex facet) -> std::optional<std::uint16_t> {
-        const std::uint32_t group = grouped.of_facet[facet];
-        return takes(group) ? std::optional(stl_colour(grouped.groups[group].colour)) : std::nullopt;
-      });
+  write_stl_facets(path, written_description(grouped), grouped.mesh,
+                   [&](FacetIndex facet) -> std::optional<std::uint16_t> {
+                     const std::uint32_t group = grouped.of_facet[facet];
+                     return takes(group) ? std::optional(stl_colour(grouped.groups[group].colour))
+                                         : std::nullopt;
+                   });
 }
 
 void write_whole_stl(const std::string& path, const GroupedMesh& grouped) {
@@ -204,13 +197,28 @@ const WrittenFormat<Content>& format_of(const std::string& path,
 
 }  // namespace
 
+std::string written_description(const GroupedMesh& grouped) {
+  return fmt::format("moldlight {}{}", grouped.title,
+                     grouped.unit.empty() ? "" : ", unit " + clean_name(grouped.unit));
+}
+
+std::string group_numbers(const GroupedMesh& grouped) {
+  std::string text;
+  for (std::size_t k = 0; k < grouped.groups.size(); ++k)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", k, grouped.groups[k].name);
+  return text;
+}
+
 std::string material_library_path(const std::string& path) {
   return lower_extension(path) == "obj" ? fs::path(path).replace_extension(".mtl").string() : std::string();
 }
 
 std::span<const WrittenFormat<GroupedMesh>> mesh_formats() {
-  static constexpr WrittenFormat<GroupedMesh> k_formats[] = {
-      {"ply", write_ply}, {"obj", write_obj}, {"stl", write_whole_stl}};
+  static constexpr WrittenFormat<GroupedMesh> k_formats[] = {{"ply", write_ply},
+                                                             {"obj", write_obj},
+                                                             {"stl", write_whole_stl},
+                                                             {"glb", write_glb},
+                                                             {"vtp", write_vtp}};
   return k_formats;
 }
 

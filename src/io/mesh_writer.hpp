@@ -8,7 +8,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "mesh/triangle_mesh.hpp"
 #include "mold/exact/split_mesh.hpp"
@@ -16,18 +19,39 @@
 
 namespace moldlight {
 
+/// A value of each facet. The name is letters and underscores.
+struct FacetValues {
+  std::string name;
+  std::variant<std::vector<double>, std::vector<std::int32_t>> values;
+};
+/// Found only where a format has room for them; none where it is empty.
+using FindFacetValues = std::function<std::vector<FacetValues>()>;
+
 /// What is written; mesh and regions outlive it.
 struct ColouredMesh {
   const TriangleMesh& mesh;
   std::span<const Region> regions;  // one a facet
   Palette palette = Palette::paper;
   std::string unit = {};  // named in a comment where the format has comments; may be empty
+  std::string name = {};  // of the part, for formats that name what they hold
+  FindFacetValues values = {};
 };
 
 /// Facets that are of one kind. Names are letters, digits and underscores.
 struct MeshGroup {
   std::string name;
   Colour colour;
+};
+
+/// A solid beside the mesh, in its unit and place, that goes its way as the mold opens. It may turn about an
+/// axis meanwhile, steadily. The mesh outlives it.
+struct MovingSolid {
+  std::string name;  // as of groups
+  const TriangleMesh& mesh;
+  Colour colour;
+  glm::dvec3 way{0.0};
+  glm::dvec3 point{0.0}, axis{0, 0, 1};  // of the axis; unit
+  double turn_rad = 0.0;
 };
 
 /// The same of any groups; what is pointed at outlives it.
@@ -38,6 +62,9 @@ struct GroupedMesh {
   std::string what = "region";               // that a group is
   std::string title = "mold-piece regions";  // of the file
   std::string unit = {};                     // as above
+  std::string name = {};                     // as above
+  FindFacetValues values = {};
+  std::span<const MovingSolid> solids = {};
 };
 
 /// A format that something is written in.
@@ -48,7 +75,7 @@ struct WrittenFormat {
 };
 [[nodiscard]] std::span<const WrittenFormat<GroupedMesh>> mesh_formats();
 [[nodiscard]] std::span<const WrittenFormat<SplitMesh>> border_formats();
-/// "ply|obj|stl", for help.
+/// "ply|obj|stl|glb|vtp", for help.
 template <typename Content>
 [[nodiscard]] std::string extensions_text(std::span<const WrittenFormat<Content>> formats) {
   std::string text;
@@ -62,10 +89,20 @@ template <typename Content>
 /// .obj  one material a group, in a .mtl file beside it;
 /// .stl  binary, coordinates in float; the colour of each facet is in its attribute: bit 15 set, 5 bits each
 /// of red
-///       (10-14), green (5-9) and blue (0-4), as VisCAM and most viewers read it.
+///       (10-14), green (5-9) and blue (0-4), as VisCAM and most viewers read it;
+/// .glb  binary glTF 2.0, coordinates in float, relative to a node's place where the part is far away; one
+///       primitive and material a group; y up and in metres by the root node, whose scale is 1 without a
+///       unit; solids as nodes of an animation "opening";
+/// .vtp  VTK PolyData, coordinates in double; a number of its group and the further values a facet.
 /// Throws UsageError for another extension, FileError where it cannot be written.
 void write_grouped_mesh(const std::string& path, const GroupedMesh& grouped);
 void write_coloured_mesh(const std::string& path, const ColouredMesh& coloured);
+void write_glb(const std::string& path, const GroupedMesh& grouped);
+void write_vtp(const std::string& path, const GroupedMesh& grouped);
+
+/// "moldlight mold-piece regions, unit mm", and "0 core, 1 cavity, …": what files say of themselves.
+[[nodiscard]] std::string written_description(const GroupedMesh& grouped);
+[[nodiscard]] std::string group_numbers(const GroupedMesh& grouped);
 
 /// Binary STL, coordinates in float: the facets that have an attribute, each with it; the header is cut or
 /// filled to 80 bytes. The file is replaced whole or not at all.

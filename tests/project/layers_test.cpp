@@ -84,8 +84,8 @@ const std::vector<LibraryRule>& library_rules() {
       {"pybind11", std::regex("pybind11/.*|Python.h"), {"python"}},
       {"JSON",
        std::regex("nlohmann/.*"),
-       {"actions", "batch", "classify", "compare", "page", "parting", "pieces", "report", "sweep", "gui",
-        "cli", "python", "study"}},
+       {"actions", "batch", "classify", "compare", "io", "page", "parting", "pieces", "report", "sweep",
+        "gui", "cli", "python", "study"}},
   };
   return k_rules;
 }
