@@ -9,6 +9,7 @@
 
 #include "actions/action_body.hpp"
 #include "base/error.hpp"
+#include "classify/classify_report.hpp"
 #include "classify/number_format.hpp"
 #include "io/mesh_writer.hpp"
 
@@ -74,12 +75,29 @@ void write_action_mesh(const std::string& path, const ActionsReport& report, Pal
                        : action == k_unreleased_piece ? unreleased
                                                       : static_cast<std::uint32_t>(split.pieces[k].region));
   }
-  write_grouped_mesh(path, {.mesh = piece_mesh(split),
-                            .groups = groups,
-                            .of_facet = of_facet,
-                            .what = "action",
-                            .title = "side actions",
-                            .unit = report.model.part.unit});
+  std::vector<MovingSolid> solids;
+  for (std::size_t k = 0; k < report.plan.actions.size(); ++k) {
+    const SideAction& action = report.plan.actions[k];
+    if (!action.body) continue;
+    solids.push_back({.name = "body_of_" + action_name(report.plan, k),
+                      .mesh = *action.body->solid,
+                      .colour = action_colour(k),
+                      .way = action.travel * action.direction,
+                      .turn_rad = turn_of(action, 1.0)});
+    if (!action.about) continue;
+    solids.back().point = action.about->point;
+    solids.back().axis = action.about->direction;
+  }
+  write_grouped_mesh(path,
+                     {.mesh = piece_mesh(split),
+                      .groups = groups,
+                      .of_facet = of_facet,
+                      .what = "action",
+                      .title = "side actions",
+                      .unit = report.model.part.unit,
+                      .name = part_name(report.model.part),
+                      .values = [&] { return split_values(report.model, split, report.result.direction); },
+                      .solids = solids});
 }
 
 std::vector<std::string> write_action_bodies(const std::string& folder, const std::string& stem,

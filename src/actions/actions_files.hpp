@@ -15,7 +15,8 @@ namespace moldlight {
 [[nodiscard]] Colour action_colour(std::size_t action);
 
 /// Writes the split part with its facets grouped by what forms them, in the formats of write_grouped_mesh():
-/// core, cavity, both, each action under its name, what is unreleased, and undercut that was left out.
+/// core, cavity, both, each action under its name, what is unreleased, and undercut that was left out. The
+/// bodies of the actions go with it where the format has solids that move.
 void write_action_mesh(const std::string& path, const ActionsReport& report, Palette palette);
 
 /// Writes the body of each action that has one to <folder>/<stem>_<name>.stl, making the folder; a former

@@ -1,9 +1,13 @@
 #include "classify/classify_report.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
@@ -16,6 +20,7 @@
 #include "io/mesh_writer.hpp"
 #include "mesh/faces.hpp"
 #include "mesh/place_order.hpp"
+#include "mold/draft.hpp"
 
 namespace moldlight {
 
@@ -65,15 +70,28 @@ Json comparison_json(const MapComparison& comparison) {
           {"shares", shares}};
 }
 
-void write_split(const OutputPaths& paths, const Part& part, const SplitMesh& split, Palette palette) {
+/// The number of each facet's face, as tables have it.
+std::vector<std::uint32_t> faces_of_facets(const PartModel& model) {
+  return model.part.has_cad_faces ? model.part.facet_source
+                                  : part_faces(model.part, model.geometry, model.adjacency).of_facet;
+}
+
+void write_split(const OutputPaths& paths, const PartModel& model, const Classification& result,
+                 Palette palette) {
+  const SplitMesh& split = *result.split;
   const TriangleMesh mesh = piece_mesh(split);
   std::vector<Region> regions;
   regions.reserve(split.pieces.size());
   for (const SplitPiece& piece : split.pieces) regions.push_back(piece.region);
-  const ColouredMesh coloured{.mesh = mesh, .regions = regions, .palette = palette, .unit = part.unit};
+  const ColouredMesh coloured{.mesh = mesh,
+                              .regions = regions,
+                              .palette = palette,
+                              .unit = model.part.unit,
+                              .name = part_name(model.part),
+                              .values = [&] { return split_values(model, split, result.direction); }};
   if (!paths.mesh.empty()) write_coloured_mesh(paths.mesh, coloured);
   if (!paths.split_folder.empty())
-    write_region_stls(paths.split_folder, std::filesystem::path(part.file).stem().string(), coloured);
+    write_region_stls(paths.split_folder, std::filesystem::path(model.part.file).stem().string(), coloured);
   if (!paths.borders.empty()) write_borders(paths.borders, split);
 }
 
@@ -103,10 +121,30 @@ Json part_json(const PartModel& model, const std::vector<std::string>& warnings)
 
 std::vector<SourceAreas> face_areas(const PartModel& model, const Classification& result) {
   if (result.facet_fractions.empty()) return {};
-  const std::vector<std::uint32_t> faces =
-      model.part.has_cad_faces ? model.part.facet_source
-                               : part_faces(model.part, model.geometry, model.adjacency).of_facet;
-  return region_areas_by_source(faces, model.geometry.areas, result.facet_fractions);
+  return region_areas_by_source(faces_of_facets(model), model.geometry.areas, result.facet_fractions);
+}
+
+std::vector<FacetValues> split_values(const PartModel& model, const SplitMesh& split,
+                                      const std::optional<glm::dvec3>& direction) {
+  const std::vector<std::uint32_t> of_facet = faces_of_facets(model);
+  std::vector<std::int32_t> faces, bodies;
+  std::vector<double> drafts, heights;
+  const auto& of_part = model.part.bodies;
+  std::size_t body = 0;
+  for (std::size_t k = 0; k < split.pieces.size(); ++k) {
+    const FacetIndex facet = split.pieces[k].facet;
+    if (facet < of_part[body].first_facet) body = 0;
+    while (facet >= of_part[body].first_facet + of_part[body].facet_count) ++body;
+    faces.push_back(static_cast<std::int32_t>(of_facet[facet]));
+    bodies.push_back(static_cast<std::int32_t>(std::max(model.part.chosen_body, body + 1)));
+    if (!direction) continue;
+    drafts.push_back(draft_angle_deg(model.geometry.normals[facet], *direction));
+    heights.push_back(glm::dot(split.middle(k), *direction));
+  }
+  std::vector<FacetValues> values = {{"face", std::move(faces)}, {"body", std::move(bodies)}};
+  if (direction)
+    values.insert(values.end(), {{"draft_deg", std::move(drafts)}, {"height", std::move(heights)}});
+  return values;
 }
 
 Json classify_json(const PartModel& model, const Classification& result) {
@@ -171,7 +209,7 @@ void write_outputs(const OutputPaths& paths, const PartModel& model, const Class
                    Palette palette) {
   if (paths.need_split()) {
     CHECK(result.split != nullptr);
-    write_split(paths, model.part, *result.split, palette);
+    write_split(paths, model, result, palette);
   }
   if (!paths.facets.empty()) {
     write_facet_csv(paths.facets, {.areas = model.geometry.areas,

@@ -2,12 +2,14 @@
 // line and from the window.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "classify/classification.hpp"
 #include "classify/json.hpp"
 #include "classify/part_model.hpp"
+#include "io/mesh_writer.hpp"
 #include "mold/measure.hpp"
 
 namespace moldlight {
@@ -27,6 +29,11 @@ namespace moldlight {
 /// Region areas of each face of part_faces() but what a repair added; empty for a direction of a sweep.
 [[nodiscard]] std::vector<SourceAreas> face_areas(const PartModel& model, const Classification& result);
 
+/// Of each piece: face, as in tables; body, from 1, as --body takes it; with a direction also draft_deg, the
+/// draft angle of its facet, positive towards +d, and height, of its middle along +d from the file's origin.
+[[nodiscard]] std::vector<FacetValues> split_values(const PartModel& model, const SplitMesh& split,
+                                                    const std::optional<glm::dvec3>& direction);
+
 /// The text of a JSON file: two spaces a level, numbers in the shortest form that reads back the same. Bytes
 /// of file names that are no UTF-8 are replaced, and what a terminal would obey is escaped.
 [[nodiscard]] std::string json_text(const Json& json);
@@ -36,7 +43,7 @@ struct OutputPaths {
   std::string json;    // schema moldlight.classify/2
   std::string facets;  // CSV
   std::string faces;   // CSV, one row a CAD face or polygon of the file
-  std::string mesh;    // .ply, .obj or .stl, coloured by region
+  std::string mesh;    // one of mesh_formats(), coloured by region
   std::string split_folder;
   std::string borders;  // .obj or .csv, the lines between regions
 

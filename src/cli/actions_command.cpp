@@ -77,10 +77,11 @@ void add_actions_command(CLI::App& program, Request& request) {
   add_option_flags(*command, action_options(), flags->settings);
   add_option_flags(*command, method_options(), flags->query.method);
   add_file_flag(*command, flags->csv, {"--csv", "FILE.csv", "Write a table of the undercuts"});
-  add_file_flag(*command, flags->mesh,
-                {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
-                 "Write the split part, each facet in the colour of the action that forms it. In OBJ, each "
-                 "action is a material"});
+  add_file_flag(
+      *command, flags->mesh,
+      {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
+       "Write the split part, each facet in the colour of the action that forms it. In OBJ and GLB, each "
+       "action is a material. GLB also has the bodies, with the animation of their ways"});
   add_file_flag(*command, flags->bodies,
                 {"--bodies", "DIR", "Write the solid of each action to this folder, one STL each"});
   CLI::Option* image = add_study_outputs(*command, *flags, request,

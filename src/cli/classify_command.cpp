@@ -118,10 +118,12 @@ void add_classify_command(CLI::App& program, Request& request) {
                 {"--faces", "FILE.csv",
                  "Write the same table of faces: the CAD faces of a STEP file, else planes, round walls and "
                  "fillets that the facets form"});
-  add_file_flag(*command, files.mesh,
-                {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
-                 "Write the part, split at the borders of its exact regions, each facet in the colour of its "
-                 "region. In OBJ, each region is a material"});
+  add_file_flag(
+      *command, files.mesh,
+      {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
+       "Write the part, split at the borders of its exact regions, each facet in the colour of its "
+       "region. In OBJ and GLB, each region is a material. VTP has region, draft, height, face and body of "
+       "each facet"});
   add_file_flag(*command, files.split_folder,
                 {"--split-dir", "DIR",
                  "Write the split part to this folder, one STL per region. They share their vertices"});

@@ -63,8 +63,8 @@ void add_pieces_command(CLI::App& program, Request& request) {
   add_option_flags(*command, pieces_method_options(), flags->method);
   add_file_flag(*command, flags->mesh,
                 {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
-                 "Write the split part, each facet in the colour of the piece that forms it. In OBJ, each "
-                 "piece is a material"});
+                 "Write the split part, each facet in the colour of the piece that forms it. In OBJ and GLB, "
+                 "each piece is a material"});
   add_option_flag(*command, option_named(look_options(), "palette"), flags->look);
   command
       ->add_option(

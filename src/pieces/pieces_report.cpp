@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -163,7 +164,9 @@ void write_pieces_mesh(const std::string& path, const PartModel& model, const Pi
                             .of_facet = result.formed.formed_by,
                             .what = "piece",
                             .title = "mold pieces",
-                            .unit = model.part.unit});
+                            .unit = model.part.unit,
+                            .name = part_name(model.part),
+                            .values = [&] { return split_values(model, result.formed.mesh, std::nullopt); }});
 }
 
 void write_seams(const std::string& path, const PartModel& model, const PiecesResult& result) {

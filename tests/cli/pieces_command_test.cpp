@@ -62,7 +62,7 @@ TEST(PiecesCommand, IsTheSameWithAnyNumberOfThreads) {
 
 TEST(PiecesCommand, WritesThePartInColoursAndTheSeamsAsLines) {
   const SmallPart part;
-  for (const std::string extension : {"ply", "obj", "stl"}) {
+  for (const std::string extension : {"ply", "obj", "stl", "glb", "vtp"}) {
     const auto run = run_moldlight({"pieces", part.file(), "--mesh", part.output("pieces." + extension)});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     EXPECT_GT(test::file_bytes(part.output("pieces." + extension)).size(), 1000U);
