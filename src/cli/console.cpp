@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <new>
+#include <system_error>
 
 #include <fcntl.h>
 #include <sys/ioctl.h>
@@ -42,6 +44,18 @@ std::string one_line(std::string_view text) {
   std::ranges::replace_if(
       line, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
   return shown_text(line);
+}
+
+std::string failure_text(const std::exception& error) {
+  static const std::string k_no_threads =
+      "there is not enough memory, or the system allows no more threads or the like: ";
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+    return "there is not enough memory for this part with these settings";
+  // TBB's own threads: it throws a std::runtime_error with the name of the call that failed.
+  const std::string what = error.what();
+  const bool no_threads =
+      dynamic_cast<const std::system_error*>(&error) != nullptr || what.starts_with("pthread_");
+  return no_threads ? k_no_threads + what : what;
 }
 
 Console::Console() : drawn_(std::chrono::steady_clock::now()) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -73,6 +74,9 @@ class Console {
 
 /// The text with control characters replaced, so that it stays one line and cannot steer a terminal.
 [[nodiscard]] std::string one_line(std::string_view text);
+
+/// Why the work failed, in one sentence.
+[[nodiscard]] std::string failure_text(const std::exception& error);
 
 /// A terminal with fewer columns has no room for a bar.
 inline constexpr int k_least_columns_for_bar = 70;

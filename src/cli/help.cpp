@@ -42,7 +42,7 @@ const std::vector<FlagGroup>& flag_groups() {
        {"actions", "slide-angle", "incline", "lifter-angle", "lifter-room", "lifter-section", "clearance",
         "strip-strain", "bundle-across", "bundle-along", "side-direction", "pins", "least-travel",
         "pin-diameter", "prices"}},
-      {"Work", {"anew", "shard", "part-time", "part-memory", "retries", "retry-failed"}},
+      {"Work", {"stdio", "folder", "anew", "shard", "part-time", "part-memory", "retries", "retry-failed"}},
       {"Result", {"json",      "html",    "live",  "pdf", "paper",      "facets",  "faces",   "mesh",
                   "split-dir", "borders", "draft", "csv", "bodies",     "lines",   "out",     "3mf",
                   "wide",      "sqlite",  "merge", "top", "thumbnails", "reports", "missing", "form"}},
@@ -106,6 +106,7 @@ const std::vector<CommandExample>& command_examples() {
       {"batch run", "Work until all is done, four parts at a time", "moldlight batch run results --jobs 4"},
       {"batch status", "Count the parts that are done, failed and left", "moldlight batch status results"},
       {"batch merge", "Collect the results in one table", "moldlight batch merge results --csv results.csv"},
+      {"serve", "Answer questions about the parts of a folder", "moldlight serve --stdio --folder parts"},
       {"doctor", "Check drivers and helper programs after an installation", "moldlight doctor"},
       {"manual", "Completion of commands and flags in bash", "source <(moldlight manual --form bash)"}};
   return k_examples;

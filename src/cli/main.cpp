@@ -4,7 +4,6 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
-#include <new>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -142,8 +141,6 @@ int run_program(std::vector<std::string> arguments, Console& console) {
 
 int main(int argc, char** argv) {
   using namespace moldlight;
-  static const std::string k_no_threads =
-      "there is not enough memory, or the system allows no more threads or the like: ";
   // A file beyond the limit of size is to be an error of writing, whose temporary file is cleared away.
   std::signal(SIGXFSZ, SIG_IGN);
   cli::Console console;
@@ -155,14 +152,8 @@ int main(int argc, char** argv) {
   } catch (const UsageError& error) {
     console.failure(error.what());
     return k_usage;
-  } catch (const std::bad_alloc&) {
-    console.failure("there is not enough memory for this part with these settings");
-  } catch (const std::system_error& error) {
-    console.failure(k_no_threads + error.what());
   } catch (const std::exception& error) {
-    // TBB's own threads: it throws a std::runtime_error with the name of the call that failed.
-    const std::string what = error.what();
-    console.failure(what.starts_with("pthread_") ? k_no_threads + what : what);
+    console.failure(cli::failure_text(error));
   }
   return k_failure;
 }

@@ -32,7 +32,7 @@ const std::map<std::string, Layers>& allowed_layers() {
                       k_study = with(k_pieces, "pieces"), k_python = with(k_study, "study"),
                       k_entry = with(with(k_python, "compare"), "batch"),
                       k_report = with(with(k_python, "compare"), "page"),
-                      k_program = with(with(with(k_entry, "gui"), "report"), "page");
+                      k_program = with(with(with(with(k_entry, "gui"), "report"), "page"), "serve");
   static const std::map<std::string, Layers> k_allowed = {
       {"base", {}},
       {"mesh", {"base"}},
@@ -51,6 +51,7 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"compare", k_python},
       {"batch", {"base", "io", "page", "classify"}},
       {"report", k_report},
+      {"serve", {"base"}},
       {"step", {"io", "mesh"}},
       {"gui", with(k_entry, "report")},
       {"cli", k_program},
@@ -85,7 +86,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"JSON",
        std::regex("nlohmann/.*"),
        {"actions", "batch", "classify", "compare", "io", "page", "parting", "pieces", "report", "sweep",
-        "gui", "cli", "python", "study"}},
+        "gui", "cli", "python", "serve", "study"}},
   };
   return k_rules;
 }
