@@ -62,13 +62,15 @@ class Client:
     def answer_to(self, asked, timeout=60):
         """Keeps what comes before it."""
         end = time.monotonic() + timeout
+        for k, answer in enumerate(self.answers):
+            if isinstance(answer, dict) and answer.get("id") == asked:
+                return self.answers.pop(k)
         while True:
-            for k, answer in enumerate(self.answers):
-                if isinstance(answer, dict) and answer.get("id") == asked:
-                    return self.answers.pop(k)
             message = self.next_message(max(0.0, end - time.monotonic()))
             if message is None:
                 raise EOFError(b"".join(self.errors).decode())
+            if isinstance(message, dict) and message.get("id") == asked:
+                return message
             self.answers.append(message)
 
     def ask(self, method, params=None, timeout=60):
