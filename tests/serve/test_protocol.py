@@ -18,7 +18,8 @@ SHORT = {"name": "classify", "arguments": {"part": "parts/cable_clip.stl", "dire
 
 
 def cancel(client, asked):
-    client.send({"jsonrpc": "2.0", "method": "notifications/cancelled", "params": {"requestId": asked, "reason": "test"}})
+    client.send({"jsonrpc": "2.0", "method": "notifications/cancelled",
+                 "params": {"requestId": asked, "reason": "test"}})
 
 
 class Calls(unittest.TestCase):
@@ -31,11 +32,11 @@ class Calls(unittest.TestCase):
                 time.sleep(wait_s)
                 begin = time.monotonic()
                 self.assertEqual(client.ask("ping")["result"], {})
-                self.assertLess(time.monotonic() - begin, 0.5)
+                self.assertLess(time.monotonic() - begin, 1.0)
                 cancel(client, long_one)
                 begin = time.monotonic()
                 self.assertIn("structuredContent", client.answer_to(waiting)["result"])
-                self.assertLess(time.monotonic() - begin, 1.5, "a second, and the call that waited")
+                self.assertLess(time.monotonic() - begin, 2.5, "a second, and the call that waited")
             self.assertEqual(client.close(), 0)
             # The protocol has no answer to what was cancelled.
             self.assertEqual([one for one in client.answers if one.get("id") == long_one], [])
@@ -153,7 +154,8 @@ class Faults(unittest.TestCase):
 
     def test_what_has_no_answer(self):
         with Client() as client:
-            for line in (b"", b"  \r", b'{"jsonrpc":"2.0","method":"no/such"}', b'{"jsonrpc":"2.0","method":"tools/call"}',
+            for line in (b"", b"  \r", b'{"jsonrpc":"2.0","method":"no/such"}',
+                         b'{"jsonrpc":"2.0","method":"tools/call"}',
                          b'{"jsonrpc":"2.0","id":9,"result":{}}',
                          b'{"jsonrpc":"2.0","method":"notifications/cancelled","params":[]}'):
                 client.send_bytes(line)
@@ -183,6 +185,17 @@ class Faults(unittest.TestCase):
 
 
 class Hostile(unittest.TestCase):
+    def test_large_messages_take_no_time(self):
+        ping = b'{"jsonrpc":"2.0","id":%d,"method":"ping","params":{"a":%s}}'
+        with Client() as client:
+            before_kib = client.peak_kib()
+            for number, value in enumerate((b"[" + b"{}," * 300000 + b"1]", b"[" + b"[]," * 300000 + b"1]",
+                                            b"{" + b",".join(b'"%d":1' % k for k in range(90000)) + b"}",
+                                            b'"' + b"\\u00e9" * 150000 + b'"', b"9" * 900000 + b"e-900000"), 100):
+                client.send_bytes(ping % (number, value))
+                self.assertIn("result", client.answer_to(number, 5))
+            self.assertLess(client.peak_kib() - before_kib, 100 * 1024)
+
     MESSAGES, SEED = 10000, 20251126
 
     def made(self, chance, number):
