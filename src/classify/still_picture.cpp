@@ -195,15 +195,32 @@ struct ShownBodies {
       bodies.push_back(view_body(still.mesh, frame, still.colour));
       motions.push_back(glm::inverse(to_part) * still.motion * to_part);
       Bounds box;
-      for (const ViewVertex& vertex : bodies.back().vertices)
-        box.add(glm::dvec3(motions.back() * glm::dvec4(glm::dvec3(vertex.position), 1.0)));
-      extents.emplace_back(box.min, box.max);
+      std::vector<glm::vec3> moved;
+      for (const ViewVertex& vertex : bodies.back().vertices) {
+        moved.emplace_back(motions.back() * glm::dvec4(glm::dvec3(vertex.position), 1.0));
+        box.add(glm::dvec3(moved.back()));
+      }
+      middles.push_back(box.center());
+      for (const auto& [a, b, c] : bodies.back().facets) {
+        add_edge(moved[a], moved[b]);
+        add_edge(moved[b], moved[c]);
+        add_edge(moved[c], moved[a]);
+      }
     }
   }
 
   std::vector<ViewBody> bodies;
-  std::vector<glm::dmat4> motions;                       // unit frame
-  std::vector<std::pair<glm::vec3, glm::vec3>> extents;  // corners of the box of each, where it is shown
+  std::vector<glm::dmat4> motions;  // unit frame
+  std::vector<glm::dvec3> middles;  // of each, where it is shown, in the unit frame
+  std::vector<glm::vec3> outline;   // points of their edges, likewise
+
+ private:
+  /// Its end, and so many between that no long edge passes by unseen.
+  void add_edge(const glm::vec3& from, const glm::vec3& to) {
+    constexpr float k_step = 0.05F, k_most_steps = 64.0F;
+    const float steps = std::ceil(std::clamp(glm::distance(from, to) / k_step, 1.0F, k_most_steps));
+    for (float k = 1.0F; k <= steps; ++k) outline.push_back(glm::mix(from, to, k / steps));
+  }
 };
 
 /// Says which half comes off along which arrow, where its tip is not behind the part.
@@ -305,10 +322,7 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
   const ShownBodies shown(bodies, model_->frame);
   view_.set_bodies(shown.bodies);
   view_.set_tube(settings.line, settings.lit_line);
-  for (const auto& [near, far] : shown.extents) {
-    beyond.push_back(near);
-    beyond.push_back(far);
-  }
+  beyond.insert(beyond.end(), shown.outline.begin(), shown.outline.end());
   camera = composed(
       context_->functions(), view_, maps_.buffers(),
       {camera, size, places.legend,
@@ -324,9 +338,8 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
       .dark = settings.theme == Theme::dark, .palette = look.palette, .scale = places.scale};
   if (look.arrows && places.legend) label_arrows(canvas, {view_, camera, size}, arrows, style);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const glm::dvec3 middle =
-        0.5 * (glm::dvec3(shown.extents[k].first) + glm::dvec3(shown.extents[k].second));
-    if (const auto pixel = project(camera, size, middle)) draw_tag(canvas, *pixel, bodies[k].label, style);
+    if (const auto pixel = project(camera, size, shown.middles[k]))
+      draw_tag(canvas, *pixel, bodies[k].label, style);
   }
   if (const auto middle = project(camera, size, glm::dvec3(0.0)))
     draw_callouts(canvas, placed({view_, camera, size}, settings.callouts, model_->frame), *middle, style);
