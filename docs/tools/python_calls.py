@@ -42,7 +42,7 @@ def signature(name, value):
     return f"{name}({', '.join(kept)}{more})"
 
 
-CALLS = ("Part", "read", "classify", "sweep", "actions", "mold", "picture")
+CALLS = ("Part", "read", "classify", "draft", "sweep", "actions", "mold", "compare", "picture", "to_html", "to_pdf")
 
 
 def members(owner):

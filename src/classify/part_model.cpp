@@ -56,14 +56,28 @@ std::shared_ptr<const PartModel> prepare_part(Part part, const Progress& progres
   return model;
 }
 
-std::shared_ptr<const PartModel> load_part(const std::string& path, const ReadOptions& options,
-                                           const Progress& progress) {
+namespace {
+
+template <typename Read>
+std::shared_ptr<const PartModel> loaded_part(const Read& read, const Progress& progress) {
   const Stopwatch stopwatch;
-  Part part = read_part(path, options, progress);
+  Part part = read();
   put_in_place_order(part, progress);
   auto model = std::const_pointer_cast<PartModel>(prepare_part(std::move(part), progress));
   model->load_ms = stopwatch.elapsed_ms();
   return model;
+}
+
+}  // namespace
+
+std::shared_ptr<const PartModel> load_part(const std::string& path, const ReadOptions& options,
+                                           const Progress& progress) {
+  return loaded_part([&] { return read_part(path, options, progress); }, progress);
+}
+
+std::shared_ptr<const PartModel> load_part_bytes(const std::string& name, std::string_view bytes,
+                                                 const ReadOptions& options, const Progress& progress) {
+  return loaded_part([&] { return read_part_bytes(name, bytes, options, progress); }, progress);
 }
 
 }  // namespace moldlight

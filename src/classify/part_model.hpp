@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -46,6 +47,12 @@ struct PartModel {
 /// cannot be read and Cancelled.
 [[nodiscard]] std::shared_ptr<const PartModel> load_part(const std::string& path, const ReadOptions& options,
                                                          const Progress& progress);
+
+/// The same of a part file's bytes, which messages call `name`.
+[[nodiscard]] std::shared_ptr<const PartModel> load_part_bytes(const std::string& name,
+                                                               std::string_view bytes,
+                                                               const ReadOptions& options,
+                                                               const Progress& progress);
 
 /// Prepares a part that is in memory already.
 [[nodiscard]] std::shared_ptr<const PartModel> prepare_part(Part part, const Progress& progress);

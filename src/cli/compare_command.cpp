@@ -13,22 +13,15 @@
 #include "compare/compare_picture.hpp"
 #include "compare/comparison.hpp"
 #include "io/png.hpp"
-#include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
 
 namespace {
 
-/// Along which direction each part is looked at.
-enum class DirectionChoice : std::uint8_t { given, best, each };
-
 struct CompareFlags {
   PartFlags a;
   std::string b;
-  Direction direction;
-  DirectionChoice choice = DirectionChoice::best;
-  MethodSettings method;
-  CompareSettings settings;
+  CompareQuestion question;
   Gate gate;
   std::string image;
   ReportFlags report;
@@ -42,29 +35,16 @@ void check_files(const CompareFlags& flags) {
   check_outputs({.inputs = {{"A", flags.a.part}, {"B", flags.b}}, .files = written});
 }
 
-ComparedQuery compared_query(const CompareFlags& flags, const Comparison& comparison,
-                             const Progress& progress) {
-  const auto &a = comparison.a.model, &b = comparison.b.model;
-  ComparedQuery query{flags.direction, flags.direction, flags.method};
-  if (flags.choice == DirectionChoice::given) return query;
-  query.a = query.b = best_direction(a, flags.method, progress).direction;
-  if (flags.choice == DirectionChoice::each) query.b = best_direction(b, flags.method, progress).direction;
-  return query;
-}
-
 int run(const CompareFlags& flags, Console& console, const Progress& progress) {
-  validate(flags.method);
+  validate(flags.question.method);
   check_files(flags);
   // Before long work, which would be for nothing where there is none.
   std::unique_ptr<gl::Context> context;
-  if (!flags.image.empty() || flags.report.any()) context = create_context(flags.method.backend);
+  if (!flags.image.empty() || flags.report.any()) context = create_context(flags.question.method.backend);
   const auto a = load_part(flags.a.part, flags.a.reading, progress);
   const auto b = load_part(flags.b, flags.a.reading, progress);
-  validate(flags.method, a->frame.diagonal);
-  CompareSettings settings = flags.settings;
-  settings.with_mold = settings.with_mold || flags.choice == DirectionChoice::given;
-  Comparison comparison = prepare_comparison(a, b, settings, progress);
-  compare_parts(comparison, compared_query(flags, comparison, progress), progress);
+  validate(flags.question.method, a->frame.diagonal);
+  const Comparison comparison = compare_revisions(a, b, flags.question, progress);
   for (const auto& [name, part] : {std::pair("A", &comparison.a), std::pair("B", &comparison.b)})
     for (const std::string& warning : part->result.warnings)
       console.warning(fmt::format("{}: {}", name, warning));
@@ -101,15 +81,15 @@ void add_compare_command(CLI::App& program, Request& request) {
                  "Parting direction +d of both parts: three numbers, an axis such as z or -y, or best for "
                  "the best of A. With each, every part has its own best. [default best]"},
                 [flags = flags.get()](const std::string& text) {
-                  flags->choice = text == "best"   ? DirectionChoice::best
-                                  : text == "each" ? DirectionChoice::each
-                                                   : DirectionChoice::given;
-                  if (flags->choice == DirectionChoice::given)
-                    flags->direction = parse_direction({text, "--direction"});
+                  flags->question.choice = text == "best"   ? CompareDirection::best
+                                           : text == "each" ? CompareDirection::each
+                                                            : CompareDirection::given;
+                  if (flags->question.choice == CompareDirection::given)
+                    flags->question.direction = parse_direction({text, "--direction"});
                 });
-  add_option_flags(*command, compare_options(), flags->settings);
+  add_option_flags(*command, compare_options(), flags->question.settings);
   add_gate_flags(*command, flags->gate, comparison_figure_names());
-  add_option_flags(*command, action_options(), flags->settings.actions);
+  add_option_flags(*command, action_options(), flags->question.settings.actions);
   add_report_flags(*command, flags->report, request);
   CLI::Option* image =
       add_file_flag(*command, flags->image,
@@ -117,7 +97,7 @@ void add_compare_command(CLI::App& program, Request& request) {
                      "Write a picture of both parts side by side, with the differences highlighted"});
   add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
   add_still_flags(*command, flags->still, image);
-  add_option_flags(*command, method_options(), flags->method);
+  add_option_flags(*command, method_options(), flags->question.method);
   set_work(*command, request, flags, run);
 }
 

@@ -13,7 +13,6 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "base/shown_text.hpp"
 
 namespace moldlight::cli {
 
@@ -38,13 +37,6 @@ void occupy_closed_descriptors() {
 void write_stderr(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 }  // namespace
-
-std::string one_line(std::string_view text) {
-  std::string line(text);
-  std::ranges::replace_if(
-      line, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
-  return shown_text(line);
-}
 
 std::string failure_text(const std::exception& error) {
   static const std::string k_no_threads =

@@ -13,6 +13,8 @@
 
 #include <fmt/format.h>
 
+#include "base/one_line.hpp"
+
 namespace moldlight::cli {
 
 enum class Verbosity : std::uint8_t { quiet, normal, verbose };
@@ -71,9 +73,6 @@ class Console {
   std::chrono::seconds plain_interval_{0};  // between lines where nothing can be redrawn
   std::chrono::steady_clock::time_point drawn_;
 };
-
-/// The text with control characters replaced, so that it stays one line and cannot steer a terminal.
-[[nodiscard]] std::string one_line(std::string_view text);
 
 /// Why the work failed, in one sentence.
 [[nodiscard]] std::string failure_text(const std::exception& error);

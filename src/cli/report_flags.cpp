@@ -1,22 +1,16 @@
 #include "cli/report_flags.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdint>
-#include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <iterator>
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/numbers.hpp"
 #include "base/shown_text.hpp"
 #include "classify/option_json.hpp"
 #include "cli/console.hpp"
 #include "compare/compare_figures.hpp"
 #include "io/file_contents.hpp"
-#include "io/png.hpp"
 
 namespace moldlight::cli {
 
@@ -42,50 +36,6 @@ std::vector<std::string> without_folders(std::vector<std::string> words) {
   return words;
 }
 
-bool is_day(const std::string& text) {
-  if (text.size() != 10 || text[4] != '-' || text[7] != '-') return false;
-  const auto year = number_from<int>(text.substr(0, 4)), month = number_from<int>(text.substr(5, 2)),
-             day = number_from<int>(text.substr(8, 2));
-  if (!year || !month || !day || *year < 1 || *month < 1 || *day < 1) return false;
-  namespace chrono = std::chrono;
-  return (chrono::year(*year) / *month / *day).ok();
-}
-
-/// The day that the environment asks for, "2026-11-25" (SOURCE_DATE_EPOCH, in seconds); empty where it asks
-/// for none.
-std::string day_of_environment() {
-  const char* const epoch = std::getenv("SOURCE_DATE_EPOCH");
-  const auto seconds = epoch == nullptr ? std::nullopt : number_from<std::int64_t>(epoch);
-  if (!seconds) return {};
-  const auto time = static_cast<std::time_t>(*seconds);
-  std::tm parts = {};
-  if (::gmtime_r(&time, &parts) == nullptr) return {};
-  return fmt::format("{:04}-{:02}-{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday);
-}
-
-/// Of the title block: who sends the report, and of what.
-void add_title_flags(CLI::App& command, report::TitleFacts& title) {
-  title.date = day_of_environment();
-  const auto add = [&](const char* flag, const char* value, const char* help, std::string& text) {
-    add_text_flag(command, {flag, value, help},
-                  [&text](const std::string& given) { text = one_line(given); });
-  };
-  add("--revision", "TEXT", "Revision of the part, in the report's title block", title.revision);
-  add("--material", "TEXT", "Material of the part, in the report's title block", title.material);
-  add("--company", "TEXT", "Company that sends the report", title.company);
-  add("--author", "TEXT", "Author of the report", title.author);
-  add("--note", "TEXT", "Note to the reader of the report", title.note);
-  add_text_flag(
-      command, {"--date", "YYYY-MM-DD", "Date of the report [default that of SOURCE_DATE_EPOCH, else none]"},
-      [&title](const std::string& given) {
-        if (!is_day(given))
-          throw UsageError(fmt::format("--date: '{}' is not a date such as 2026-11-25", one_line(given)));
-        title.date = given;
-      });
-  add_text_flag(command, {"--logo", "FILE.png", "Picture of the company's logo"},
-                [&title](const std::string& given) { title.logo = read_png(given); });
-}
-
 }  // namespace
 
 void add_report_flags(CLI::App& command, ReportFlags& flags, const Request& request) {
@@ -95,14 +45,9 @@ void add_report_flags(CLI::App& command, ReportFlags& flags, const Request& requ
                  "Write a report for any browser, without a network: verdict, figures, pictures, and the "
                  "part to turn, open and cut"});
   CLI::Option* pdf = add_file_flag(command, flags.pdf, {"--pdf", "FILE.pdf", "Write the same report as PDF"});
-  add_text_flag(command, {"--paper", "a4|letter", "Paper size of --pdf [default a4]"},
-                [&flags](const std::string& text) {
-                  if (text != "a4" && text != "letter")
-                    throw UsageError(fmt::format("--paper: '{}' is not a4 or letter", one_line(text)));
-                  flags.paper = text == "a4" ? report::Paper::a4 : report::Paper::letter;
-                })
-      ->needs(pdf);
-  add_title_flags(command, flags.title);
+  add_option_flag(command, report::paper_options().front(), flags.paper)->needs(pdf);
+  add_option_flags(command, report::title_options(), flags.title);
+  flags.title = report::usual_title();
 }
 
 void add_live_flag(CLI::App& command, ReportFlags& flags) {
@@ -129,7 +74,7 @@ report::ReportContext report_context(const ReportFlags& flags, const gl::Context
 void write_reports(const ReportFlags& flags, const report::Report& report, Console& console) {
   if (!report.live_notice.empty()) console.warning(report.live_notice);
   if (!flags.html.empty()) report::write_html(flags.html, report);
-  if (!flags.pdf.empty()) report::write_pdf(flags.pdf, report, flags.paper);
+  if (!flags.pdf.empty()) report::write_pdf(flags.pdf, report, flags.paper.paper);
 }
 
 void add_baseline_flags(CLI::App& command, BaselineFlags& flags, std::string_view name) {

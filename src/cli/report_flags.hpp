@@ -15,6 +15,7 @@
 #include "cli/flags.hpp"
 #include "cli/gate.hpp"
 #include "report/describe/describe.hpp"
+#include "report/page_options.hpp"
 #include "report/writers.hpp"
 #include "study/study.hpp"
 
@@ -23,7 +24,7 @@ namespace moldlight::cli {
 struct ReportFlags {
   std::string html, pdf;
   bool live = false;
-  report::Paper paper = report::Paper::a4;
+  report::PaperSettings paper;
   report::TitleFacts title;
   const Request* request = nullptr;  // that has the command line
 

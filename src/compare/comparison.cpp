@@ -12,6 +12,7 @@
 #include "classify/number_format.hpp"
 #include "compare/criteria.hpp"
 #include "mesh/length_unit.hpp"
+#include "sweep/sweep.hpp"
 
 namespace moldlight {
 
@@ -240,6 +241,23 @@ void compare_parts(Comparison& comparison, const ComparedQuery& query, const Pro
     compare_plans({side_a, *comparison.a.plan}, {side_b, *comparison.b.plan}, comparison);
   }
   if (settings.with_mold && query.a == query.b) compare_molds(side_a, side_b, query, comparison, progress);
+}
+
+Comparison compare_revisions(const std::shared_ptr<const PartModel>& a,
+                             const std::shared_ptr<const PartModel>& b, const CompareQuestion& question,
+                             const Progress& progress) {
+  const bool given = question.choice == CompareDirection::given;
+  CompareSettings settings = question.settings;
+  settings.with_mold = settings.with_mold || given;
+  Comparison comparison = prepare_comparison(a, b, settings, progress);
+  const auto best = [&](const ComparedPart& part) {
+    return Direction(best_direction(part.model, question.method, progress).direction);
+  };
+  ComparedQuery query{question.direction, question.direction, question.method};
+  if (!given) query.a = query.b = best(comparison.a);
+  if (question.choice == CompareDirection::each) query.b = best(comparison.b);
+  compare_parts(comparison, query, progress);
+  return comparison;
 }
 
 std::string steel_owner_text(const Comparison& comparison, const SteelOwner& owner, bool is_cut) {

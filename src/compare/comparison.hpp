@@ -2,6 +2,7 @@
 // the regions.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -73,6 +74,19 @@ struct Comparison {
 
 /// Fills in what changed. The same to the bit for any number of threads. Throws Cancelled.
 void compare_parts(Comparison& comparison, const ComparedQuery& query, const Progress& progress);
+
+/// Along which direction each part is looked at: one that is given, the best of A, or of each its own best.
+enum class CompareDirection : std::uint8_t { given, best, each };
+struct CompareQuestion {
+  CompareDirection choice = CompareDirection::best;
+  Direction direction = {};  // where it is given; the mold of A is looked at then, too
+  MethodSettings method = {};
+  CompareSettings settings = {};
+};
+/// Both of these for a question.
+[[nodiscard]] Comparison compare_revisions(const std::shared_ptr<const PartModel>& a,
+                                           const std::shared_ptr<const PartModel>& b,
+                                           const CompareQuestion& question, const Progress& progress);
 
 /// "core", "slide 1": who has steel that is cut, in A's mold, or that is added.
 [[nodiscard]] std::string steel_owner_text(const Comparison& comparison, const SteelOwner& owner,

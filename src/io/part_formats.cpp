@@ -131,7 +131,8 @@ std::string lower_extension(const std::string& path) {
   return extension;
 }
 
-const PartFormat& detect_format(const std::string& path, const FileBeginning& file) {
+const PartFormat& detect_format(const std::string& path, const FileBeginning& file,
+                                const std::string& extension) {
   if (file.size == 0) throw FileError(path, "", "is empty (0 bytes); export the part again");
   for (const PartFormat& format : part_formats())
     if (format.magic != nullptr && format.magic(file)) return format;
@@ -147,7 +148,7 @@ const PartFormat& detect_format(const std::string& path, const FileBeginning& fi
   const std::string_view first = words.next(), second = words.next();
   for (const PartFormat& format : part_formats())
     if (!binary && format.words != nullptr && format.words(first, second)) return format;
-  if (const PartFormat* named = by_extension(lower_extension(path), binary)) {
+  if (const PartFormat* named = by_extension(extension, binary)) {
     if (named->refuse != nullptr) named->refuse(path, file);
     if (binary && !named->binary) {
       throw FileError(path, fmt::format("byte {}", binary_at),
@@ -160,25 +161,47 @@ const PartFormat& detect_format(const std::string& path, const FileBeginning& fi
       fmt::format("is not a part file: none of {} by content or name", part_format_names(" and ")));
 }
 
-Part read_part(const std::string& path, const ReadOptions& options, const Progress& progress) {
-  const PartFormat* format = nullptr;
-  FileContents contents(path, progress,
-                        [&](const FileBeginning& file) { format = &detect_format(path, file); });
-  const ReadContext context{path, contents, options, progress};
-  const std::size_t size_mib = contents.bytes().size() >> 20;
+namespace {
+
+std::string named_extension(const std::string& path, const ReadOptions& options) {
+  return options.format.empty() ? lower_extension(path) : lower_extension("part." + options.format);
+}
+
+Part part_of(const PartFormat& format, const ReadContext& context) {
+  const ReadOptions& options = context.options;
+  const std::size_t size_mib = context.bytes().size() >> 20;
   try {
-    Part part = format->read(context);
-    part.file = path;
-    part.format = format->name;
+    Part part = format.read(context);
+    part.file = context.path;
+    part.format = format.name;
     part.effort = options.effort;
     if (!options.unit.empty()) set_unit(part, options.unit);
     part = select_body(std::move(part), options.body);
-    mend_part(part, options.repair, progress);
+    mend_part(part, options.repair, context.progress);
     if (part.mesh.facets.empty()) context.fail("", "has no facet with an area; the repair left nothing");
     return part;
   } catch (const std::bad_alloc&) {
     context.fail("", "there is not enough memory for this part (a file of {} MiB)", size_mib);
   }
+}
+
+}  // namespace
+
+Part read_part(const std::string& path, const ReadOptions& options, const Progress& progress) {
+  const PartFormat* format = nullptr;
+  FileContents contents(path, progress, [&](const FileBeginning& file) {
+    format = &detect_format(path, file, named_extension(path, options));
+  });
+  return part_of(*format, {path, contents, options, progress});
+}
+
+Part read_part_bytes(const std::string& name, std::string_view bytes, const ReadOptions& options,
+                     const Progress& progress) {
+  const FileBeginning beginning{bytes.substr(0, FileBeginning::k_most_bytes), bytes.size()};
+  const PartFormat& format = detect_format(name, beginning, named_extension(name, options));
+  check_memory(name, bytes.size());
+  FileContents contents(bytes);
+  return part_of(format, {name, contents, options, progress, true});
 }
 
 }  // namespace moldlight

@@ -29,8 +29,10 @@ struct PartFormat {
 
 [[nodiscard]] std::span<const PartFormat> part_formats();
 
-/// Throws FileError for an empty file and for what is no part file of any known format.
-[[nodiscard]] const PartFormat& detect_format(const std::string& path, const FileBeginning& file);
+/// By the content, else by the extension, in lower case. Throws FileError for an empty file and for what is
+/// no part file of any known format.
+[[nodiscard]] const PartFormat& detect_format(const std::string& path, const FileBeginning& file,
+                                              const std::string& extension);
 
 /// "STL, OBJ, PLY" and so on, with `last` before the last one.
 [[nodiscard]] std::string part_format_names(std::string_view last);
@@ -44,5 +46,8 @@ struct PartFormat {
 /// the options choose a body or ask for a full repair (Part::file_facets has them then). Throws FileError
 /// that names the place for a file that is unreadable, damaged or holds no facets, Cancelled when asked to.
 [[nodiscard]] Part read_part(const std::string& path, const ReadOptions& options, const Progress& progress);
+/// The same of a part file's bytes, which messages call `name`.
+[[nodiscard]] Part read_part_bytes(const std::string& name, std::string_view bytes,
+                                   const ReadOptions& options, const Progress& progress);
 
 }  // namespace moldlight

@@ -10,6 +10,9 @@ namespace moldlight {
 struct ReadOptions {
   int max_facets = 200'000'000;  // a file with more is an error, [1, 1'400'000'000]
 
+  // What the name's extension says where the content leaves the format open; empty: that of the name.
+  std::string format = {};
+
   // STEP only: how close the facets keep to the CAD surface.
   double linear_deflection = 0.0;       // distance in the file's unit; 0: 0.0005 of the part's diagonal
   double angular_deflection_deg = 5.0;  // angle between neighbouring chords, (0, 90]

@@ -24,6 +24,7 @@ struct ReadContext {
   FileContents& contents;
   const ReadOptions& options;
   const Progress& progress;
+  bool in_memory = false;  // there is no file: `path` only names the bytes
 
   [[nodiscard]] std::string_view bytes() const { return contents.bytes(); }
 

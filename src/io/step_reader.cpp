@@ -9,6 +9,7 @@
 #include <dlfcn.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 
 #include "base/error.hpp"
@@ -156,6 +157,20 @@ constexpr const char* k_broken =
                signal, limit ? "raise them, coarsen the deflection or" : "repair it in the CAD program or");
 }
 
+/// The file as the reading program gets it, which takes bytes in memory from a file that has no name.
+Descriptor opened(const ReadContext& context) {
+  if (!context.in_memory) return Descriptor(::open(context.path.c_str(), O_RDONLY | O_CLOEXEC));
+  Descriptor file(::memfd_create("part", MFD_CLOEXEC));
+  for (std::string_view left = context.bytes(); file.number() >= 0 && !left.empty();) {
+    const ssize_t done = ::write(file.number(), left.data(), left.size());
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) return {};
+    left.remove_prefix(static_cast<std::size_t>(done));
+  }
+  if (file.number() >= 0) ::lseek(file.number(), 0, SEEK_SET);
+  return file;
+}
+
 std::string run_reading_program(const ReadContext& context, std::uint64_t file_bytes) {
   const auto program = step_reading_program();
   if (!program) {
@@ -163,7 +178,7 @@ std::string run_reading_program(const ReadContext& context, std::uint64_t file_b
                  "is a STEP file, and this build has no STEP support (the program moldlight-step is "
                  "missing); export the part as STL");
   }
-  const Descriptor file = above_the_childs(Descriptor(::open(context.path.c_str(), O_RDONLY | O_CLOEXEC)));
+  const Descriptor file = above_the_childs(opened(context));
   if (file.number() < 0) context.fail("", "cannot be opened again: {}", std::strerror(errno));
   ChildCommand command;
   command.program = *program;
@@ -247,7 +262,7 @@ Part read_step(const ReadContext& context) {
                  "the STEP file ends without '{}'; export the part again", k_end_mark);
   }
   const std::uint64_t file_bytes = bytes.size();
-  context.contents.release();
+  if (!context.in_memory) context.contents.release();
   return part_of_step_result(context, run_reading_program(context, file_bytes));
 }
 

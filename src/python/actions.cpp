@@ -5,7 +5,7 @@
 
 #include "actions/actions_files.hpp"
 #include "classify/headless.hpp"
-#include "python/bindings.hpp"
+#include "python/pages.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::python {
@@ -15,12 +15,12 @@ using namespace py::literals;
 namespace {
 
 /// moldlight.Actions.
-struct PythonActions : StudyAnswer<actions_json> {
+struct PythonActions : StudyAnswer<actions_json, report::actions_report> {
   using StudyAnswer::StudyAnswer;
 
   [[nodiscard]] const Classification& result() const { return study.known<SplitRegions>()->result; }
   [[nodiscard]] const ActionPlan& plan() const { return *study.known<ActionPlan>(); }
-  [[nodiscard]] ActionsReport report() const {
+  [[nodiscard]] ActionsReport found() const {
     return {model(), result(), study.questions().actions, plan(), study.known<Changes>()->of_undercuts};
   }
 };
@@ -32,9 +32,9 @@ SharedActions find_side_actions(const PythonPart& self, const py::object& direct
     questions.with_actions = true;
     given.take(action_options(), questions.actions);
   };
-  return std::make_shared<PythonActions>(study_of(
+  return answer_of<PythonActions>(
       {"actions", self, direction, keywords}, take,
-      [](Study& study, const Progress& progress) { static_cast<void>(actions_report(study, progress)); }));
+      [](Study& study, const Progress& progress) { static_cast<void>(actions_report(study, progress)); });
 }
 
 py::list bodies_of_actions(const PythonActions& self, const py::object& /*progress*/) {
@@ -63,7 +63,7 @@ void add_actions(py::module_& module, PartClass& part) {
                        "A dict each, the largest first: area, depth, where it is, and what to change to do "
                        "without an action.",
                        "/undercuts"},
-                      {"verdict", "The verdict: a dict with state, sentence and reasons."},
+                      {"verdict", "The Verdict on the direction."},
                       {"unreleased", "Undercuts that nothing releases."},
                       {"optimal", "No cheaper set of the actions that were tried releases as much."},
                       {"warnings", "Why figures are in doubt, a sentence each.", "/part/warnings"}});
@@ -84,10 +84,10 @@ void add_actions(py::module_& module, PartClass& part) {
       "OpenGL, no display.",
       [](const PythonActions& self, const StillSettings& still, const Progress& progress) {
         const auto context = create_context(self.result().settings.backend);
-        const auto pulled = pulled_bodies(self.report());
+        const auto pulled = pulled_bodies(self.found());
         return StillPainter(*context, self.study.shared_model()).draw(self.result(), still, progress, pulled);
       });
-  add_report(found, "The report", "actions");
+  add_result(found, "actions");
   part.def("actions", &find_side_actions, py::arg("direction"),
            call_doc({.name = "actions",
                      .arguments = "self, direction",

@@ -17,6 +17,7 @@
 #include "python/keywords.hpp"
 #include "python/values.hpp"
 #include "python/work.hpp"
+#include "report/describe/describe.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::python {
@@ -73,17 +74,33 @@ struct RegisteredCall {
   explicit RegisteredCall(AddCall add) { calls().push_back(add); }
 };
 
-/// What a call returns: the study that has found all that is shown, and its report.
-template <Json (*k_json)(Study&, const Progress&)>
+/// The call that found a result: what pickle calls to find it again, and how a script has it.
+struct Recall {
+  py::object reduced = {};  // of __reduce__; null where it would not find the same
+  std::string text;
+};
+[[nodiscard]] Recall recalled(const char* call, const PythonPart& part, const py::tuple& arguments,
+                              const py::kwargs& keywords);
+
+/// What a call returns: the study that has found all that is shown, and its reports.
+template <Json (*k_json)(Study&, const Progress&),
+          report::Report (*k_report)(const report::ReportContext&, Study&)>
 struct StudyAnswer {
   using BoundToPython = void;
   explicit StudyAnswer(Study found) : study(std::move(found)) {}
   Study study;
+  Recall recall = {};
 
   [[nodiscard]] const PartModel& model() const { return study.model(); }
   [[nodiscard]] Json json() const {
     Study shared = study;
     return k_json(shared, Progress());
+  }
+  [[nodiscard]] const std::shared_ptr<const PartModel>& shared_model() const { return study.shared_model(); }
+  [[nodiscard]] Backend backend() const { return study.questions().query.method.backend; }
+  [[nodiscard]] report::Report report(const report::ReportContext& context) const {
+    Study shared = study;
+    return k_report(context, shared);
   }
 };
 
@@ -135,9 +152,25 @@ struct StudyCall {
   const py::object& direction;
   const py::kwargs& keywords;
 };
+/// What is kept of the call.
+[[nodiscard]] inline Recall recalled(const StudyCall& call) {
+  // Numbers of the caller's own array may change.
+  const py::str direction(direction_text(call.direction, "direction"));
+  return recalled(call.name, call.part, py::make_tuple(direction), call.keywords);
+}
 /// The study with all that `find` finds, and its verdict; `take` takes the settings that are the call's own.
 [[nodiscard]] Study study_of(const StudyCall& call, const std::function<void(Given&, Questions&)>& take,
                              const std::function<void(Study&, const Progress&)>& find);
+
+/// The same as a result that keeps the call.
+template <typename Answer>
+[[nodiscard]] std::shared_ptr<Answer> answer_of(const StudyCall& call,
+                                                const std::function<void(Given&, Questions&)>& take,
+                                                const std::function<void(Study&, const Progress&)>& find) {
+  auto answer = std::make_shared<Answer>(study_of(call, take, find));
+  answer->recall = recalled(call);
+  return answer;
+}
 
 /// Adds picture(), which asks for size and settings and returns what `draw(self, still, progress)` draws;
 /// `text` begins its docstring.

@@ -11,7 +11,8 @@
 #include "classify/headless.hpp"
 #include "classify/json.hpp"
 #include "classify/number_format.hpp"
-#include "python/bindings.hpp"
+#include "io/png.hpp"
+#include "python/pages.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::python {
@@ -32,11 +33,18 @@ class PythonClassification {
     const std::lock_guard lock(mutex_);
     return classify_json(study_, Progress());
   }
+  [[nodiscard]] Backend backend() const { return result().settings.backend; }
+  [[nodiscard]] report::Report report(const report::ReportContext& context) const {
+    const std::lock_guard lock(mutex_);
+    return report::classify_report(context, study_);
+  }
   /// The result with its split mesh, from any thread.
   [[nodiscard]] Classification with_split(const Progress& progress) const {
     const std::lock_guard lock(mutex_);
     return study_.find<SplitRegions>(progress).result;
   }
+
+  Recall recall = {};
 
  private:
   mutable std::mutex mutex_;
@@ -85,8 +93,7 @@ SharedClassification classify(const PythonPart& self, const py::object& directio
     study.find<Classification>(progress);
     if (questions.required_draft_deg > 0.0) study.find<DraftCheck>(progress);
   };
-  return std::make_shared<PythonClassification>(
-      study_of({"classify", self, direction, keywords}, take, find));
+  return answer_of<PythonClassification>({"classify", self, direction, keywords}, take, find);
 }
 
 /// {"core": …, "cavity": …, "both": …, "undercut": …}.
@@ -196,9 +203,15 @@ void add_split(py::module_& module) {
       });
 }
 
+Image drawn(const PythonClassification& self, const StillSettings& still, const Progress& progress) {
+  const Classification whole = self.with_split(progress);
+  const auto context = create_context(whole.settings.backend);
+  return StillPainter(*context, self.shared_model()).draw(whole, still, progress);
+}
+
 void add_figures(py::class_<PythonClassification, SharedClassification>& result) {
   using C = PythonClassification;
-  add_members(result, {{"verdict", "The verdict: a dict with state, sentence, undercuts and reasons."},
+  add_members(result, {{"verdict", "The Verdict on the direction."},
                        {"total_area", "", "/areas/total"},
                        {"near_vertical_area", "", "/areas/near_vertical"},
                        {"undercut_uncertainty", "Uncertainty of the undercut area."},
@@ -255,12 +268,13 @@ void add_classify(py::module_& module, PartClass& part) {
   add_picture(result,
               "Draws the part in the colours of its regions: height x width x 4 uint8, red, green, "
               "blue,\nalpha, rows from above. Needs OpenGL, no display.",
-              [](const PythonClassification& self, const StillSettings& still, const Progress& progress) {
-                const Classification whole = self.with_split(progress);
-                const auto context = create_context(whole.settings.backend);
-                return StillPainter(*context, self.shared_model()).draw(whole, still, progress);
-              });
-  add_report(result, "The report", "classify");
+              drawn);
+  result.def("_png", [](const PythonClassification& self) {
+    return py::bytes(watched(py::none(), [&](const Progress& progress) {
+      return png_bytes(drawn(self, {.size = {800, 500}}, progress));
+    }));
+  });
+  add_result(result, "classify", true);
   part.def("classify", &classify, py::arg("direction"),
            call_doc({.name = "classify",
                      .arguments = "self, direction",

@@ -205,8 +205,9 @@ PYBIND11_MODULE(_core, module) {
   PartClass part = add_part(module);
   for (const AddCall add : calls()) add(module, part);
   module.def("settings", &settings_list, py::arg("call"),
-             "settings(call)\n--\n\nThe settings of a call: 'Part', 'read', 'classify', 'sweep', 'pieces', "
-             "'actions', 'mold' or 'picture'.\nA list with a dict each: key, label, unit, help, type, "
-             "default, words, "
-             "least, greatest.");
+             "settings(call)\n--\n\nThe settings of a call: 'Part', 'read', 'classify', 'draft', 'sweep', "
+             "'pieces', "
+             "'actions', 'mold',\n'compare', 'picture', 'to_html' or 'to_pdf'. A list with a dict each: key, "
+             "label, unit, "
+             "help, type,\ndefault, words, least, greatest.");
 }

@@ -8,8 +8,8 @@
 #include "classify/json.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
-#include "python/bindings.hpp"
 #include "python/keywords.hpp"
+#include "python/pages.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::python {
@@ -19,7 +19,7 @@ using namespace py::literals;
 namespace {
 
 /// moldlight.Mold.
-struct PythonMold : StudyAnswer<mold_json> {
+struct PythonMold : StudyAnswer<mold_json, report::mold_report> {
   using StudyAnswer::StudyAnswer;
 
   [[nodiscard]] const Assignment& assignment() const { return study.known<MoldLine>()->assignment; }
@@ -41,9 +41,9 @@ SharedMold find_mold(const PythonPart& self, const py::object& direction, const 
     given.take(mold_options(), questions.mold);
     questions.with_actions = given.take_switch("actions");
   };
-  return std::make_shared<PythonMold>(study_of(
+  return answer_of<PythonMold>(
       {"mold", self, direction, keywords}, take,
-      [](Study& study, const Progress& progress) { static_cast<void>(mold_report(study, progress)); }));
+      [](Study& study, const Progress& progress) { static_cast<void>(mold_report(study, progress)); });
 }
 
 py::list loops(const PythonMold& self) {
@@ -108,7 +108,7 @@ constexpr std::string_view k_mold_text =
 void add_mold(py::module_& module, PartClass& part) {
   py::class_<PythonMold, SharedMold> mold(
       module, "Mold", "Result of part.mold(). Lengths, areas and volumes are in the part's unit.");
-  add_members(mold, {{"verdict", "The verdict: a dict with state, sentence and reasons."},
+  add_members(mold, {{"verdict", "The Verdict on the direction."},
                      {"parting_line", "The parting line in a sentence."},
                      {"warnings", "Why figures are in doubt, a sentence each.", "/part/warnings"}});
   mold.def_property_readonly("areas", area_of,
@@ -150,7 +150,7 @@ void add_mold(py::module_& module, PartClass& part) {
                 return mold_picture(*context, {self.model(), self.assignment(), self.line(), self.halves()},
                                     still, progress);
               });
-  add_report(mold, "The report", "mold");
+  add_result(mold, "mold");
   part.def("mold", &find_mold, py::arg("direction"),
            call_doc({.name = "mold",
                      .arguments = "self, direction",

@@ -1,6 +1,7 @@
 // moldlight.Part: made of arrays or read from a file.
 #include "mesh/part.hpp"
 
+#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,9 +9,11 @@
 #include <pybind11/stl.h>
 
 #include "base/error.hpp"
+#include "base/one_line.hpp"
 #include "classify/info_report.hpp"
 #include "classify/json.hpp"
 #include "classify/number_format.hpp"
+#include "io/part_formats.hpp"
 #include "mesh/weld.hpp"
 #include "mold/exact/united_bodies.hpp"
 #include "python/bindings.hpp"
@@ -54,15 +57,106 @@ PythonPart make_part(const py::object& vertices, const py::object& faces, const 
   })};
 }
 
+/// A file's bytes, which a caller handed over or has open.
+struct Content {
+  std::string name;
+  py::object bytes;  // null where a file is named
+};
+
+Content content_of(const py::object& file) {
+  const auto is_bytes = [](const py::handle& value) {
+    return PyBytes_Check(value.ptr()) || PyByteArray_Check(value.ptr()) || PyMemoryView_Check(value.ptr());
+  };
+  const bool open = !py::hasattr(file, "__fspath__") && py::hasattr(file, "read");
+  if (!open && !is_bytes(file)) return {path_of(file, "path"), {}};
+  Content content{"bytes", open ? file.attr("read")() : file};
+  if (open && py::hasattr(file, "name") && py::isinstance<py::str>(file.attr("name")))
+    content.name = value_text(file.attr("name"), "path");
+  if (py::isinstance<py::str>(content.bytes)) content.bytes = content.bytes.attr("encode")();
+  if (!is_bytes(content.bytes)) throw UsageError("path: its read() gives neither bytes nor text");
+  content.bytes = py::reinterpret_steal<py::object>(PyBytes_FromObject(content.bytes.ptr()));
+  if (!content.bytes) throw py::error_already_set();
+  return content;
+}
+
 PythonPart read(const py::object& path, const py::kwargs& keywords) {
   Given given("read", keywords);
   ReadOptions options;
   given.take(reading_options(), options);
-  const py::object progress = given.take("progress");
+  const py::object progress = given.take("progress"), format = given.take("format");
   given.end();
-  const std::string file = path_of(path, "path");
-  return {watched(progress,
-                  [&](const Progress& work_progress) { return load_part(file, options, work_progress); })};
+  if (!format.is_none()) {
+    options.format = value_text(format, "format");
+    if (!is_part_file_name("part." + options.format))
+      throw UsageError(
+          fmt::format("format: '{}' is none of {}", one_line(options.format), part_format_names(", ")));
+  }
+  const Content content = content_of(path);
+  const std::string_view bytes = content.bytes ? std::string_view(py::cast<py::bytes>(content.bytes)) : "";
+  return {watched(progress, [&](const Progress& work_progress) {
+    return content.bytes ? load_part_bytes(content.name, bytes, options, work_progress)
+                         : load_part(content.name, options, work_progress);
+  })};
+}
+
+template <typename T>
+py::bytes packed(const std::vector<T>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)};
+}
+template <typename T>
+std::vector<T> unpacked(const py::handle& bytes, std::size_t facets) {
+  const auto text = bytes.cast<std::string_view>();
+  std::vector<T> numbers(text.size() / sizeof(T));
+  std::memcpy(numbers.data(), text.data(), numbers.size() * sizeof(T));
+  if (facets != 0 && !numbers.empty() && numbers.size() != facets)
+    throw UsageError("the pickled part is damaged");
+  return numbers;
+}
+
+/// The part as it stands: its mesh, and what else is known of it.
+py::tuple pickled(const PythonPart& self) {
+  const Part& part = self.model->part;
+  py::list bodies;
+  for (const Body& body : part.bodies) bodies.append(py::make_tuple(py::bytes(body.name), body.facet_count));
+  return py::make_tuple(mesh_arrays(part.mesh), py::bytes(part.file), part.format, part.unit, bodies,
+                        packed(part.facet_source), part.has_cad_faces, packed(part.face_colours),
+                        packed(part.file_facets), to_python(Json(part.warnings)),
+                        to_python(Json(part.repairs)), to_python(Json(part.file_bodies)), part.chosen_body,
+                        part.effort, to_python(Json(self.model->warnings)));
+}
+
+PythonPart unpickled(const py::tuple& state) {
+  Part part;
+  const auto mesh = state[0].cast<py::tuple>();
+  part.mesh = mesh_of(mesh[0], mesh[1]);
+  part.file = state[1].cast<std::string>();
+  part.format = state[2].cast<std::string>();
+  part.unit = state[3].cast<std::string>();
+  const std::size_t facets = part.mesh.facets.size();
+  std::uint64_t covered = 0;
+  for (const py::handle& body : state[4]) {
+    const auto both = body.cast<py::tuple>();
+    part.bodies.push_back(
+        {both[0].cast<std::string>(), static_cast<FacetIndex>(covered), both[1].cast<FacetIndex>()});
+    covered += part.bodies.back().facet_count;
+  }
+  if (covered != facets) throw UsageError("the pickled part is damaged");
+  part.facet_source = unpacked<std::uint32_t>(state[5], facets);
+  part.has_cad_faces = state[6].cast<bool>();
+  part.face_colours = unpacked<std::uint32_t>(state[7], 0);
+  part.file_facets = unpacked<std::uint32_t>(state[8], facets);
+  using Texts = std::vector<std::string>;
+  part.warnings = state[9].cast<Texts>();
+  part.repairs = state[10].cast<Texts>();
+  part.file_bodies = state[11].cast<Texts>();
+  part.chosen_body = state[12].cast<std::size_t>();
+  part.effort = state[13].cast<double>();
+  const auto warnings = state[14].cast<Texts>();  // of the mesh as it was read, too
+  return {watched(py::none(), [&](const Progress& progress) {
+    auto model = std::const_pointer_cast<PartModel>(prepare_part(std::move(part), progress));
+    model->warnings = warnings;
+    return std::shared_ptr<const PartModel>(model);
+  })};
 }
 
 py::list body_list(const PythonPart& self) {
@@ -162,6 +256,12 @@ constexpr std::string_view k_part_text =
     "raises ends the work. So does returning False, which raises Cancelled.\n\n"
     "Part.read() reads a file. A part does not change, and threads may share it.";
 
+constexpr std::string_view k_read_text =
+    "Reads a part: STL, OBJ, PLY, OFF, 3MF or STEP, recognised by its content.\n\n"
+    "path: a file's name, its content as bytes, or what has read(), such as an open file.\n"
+    "format: 'stl', 'obj' and so on, where neither content nor name says it.\n"
+    "progress: as for Part().";
+
 const CallSettings k_part_settings("Part", array_options());
 const CallSettings k_read_settings("read", reading_options());
 
@@ -185,16 +285,18 @@ PartClass add_part(py::module_& module) {
                      .more = "name='', progress=None",
                      .text = k_part_text,
                      .settings = "Part"}))
-      .def_static(
-          "read", &read, py::arg("path"),
-          call_doc({.name = "read",
-                    .arguments = "path",
-                    .more = "progress=None",
-                    .text = "Reads a part: STL, OBJ, PLY, OFF, 3MF or STEP, recognised by its content.",
-                    .settings = "read"}));
+      .def_static("read", &read, py::arg("path"),
+                  call_doc({.name = "read",
+                            .arguments = "path",
+                            .more = "format=None, progress=None",
+                            .text = k_read_text,
+                            .settings = "read"}));
   add_properties(part);
   add_arrays(part);
   add_report(part, "The health report", "info");
+  part.def(py::pickle(&pickled, &unpickled))
+      .def("__copy__", [](const py::object& self) { return self; })
+      .def("__deepcopy__", [](const py::object& self, const py::object&) { return self; });
   part.def("__repr__", [](const PythonPart& self) {
     return py::str(fmt::format("<moldlight.Part {}: {} facets, {}>",
                                self.model->part.file.empty() ? "of arrays" : part_name(self.model->part),

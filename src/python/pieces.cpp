@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pieces/pieces_report.hpp"
-#include "python/bindings.hpp"
+#include "python/pages.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::python {
@@ -12,8 +12,12 @@ using namespace py::literals;
 
 namespace {
 
+report::Report report_of_pieces(const report::ReportContext& context, Study& study) {
+  return report::pieces_report(context, study.find<PiecesResult>(context.progress));
+}
+
 /// moldlight.Pieces.
-struct PythonPieces : StudyAnswer<pieces_json> {
+struct PythonPieces : StudyAnswer<pieces_json, report_of_pieces> {
   using StudyAnswer::StudyAnswer;
 
   [[nodiscard]] const PiecesResult& result() const { return *study.known<PiecesResult>(); }
@@ -27,11 +31,13 @@ SharedPieces pieces(const PythonPart& self, const py::kwargs& keywords) {
   given.take(pieces_method_options(), questions.query.method);
   const py::object progress_given = given.take("progress");
   given.end();
-  return watched(progress_given, [&](const Progress& progress) {
+  auto found = watched(progress_given, [&](const Progress& progress) {
     Study study(self.model, questions);
     study.find<PiecesResult>(progress);
     return std::make_shared<PythonPieces>(std::move(study));
   });
+  found->recall = recalled("pieces", self, py::tuple(), keywords);
+  return found;
 }
 
 py::list seam_lines(const PythonPieces& self) {
@@ -56,7 +62,7 @@ void add_pieces(py::module_& module, PartClass& part) {
               {"lower_bound", "Fewer directions are impossible, for the samples of the proof."},
               {"proved", "No fewer directions are possible than were found."},
               {"optimal", "None of the directions that were tried do with fewer."},
-              {"verdict", "The verdict: a dict with state and sentence."},
+              {"verdict", "The Verdict."},
               {"left", "Surface that no piece releases: a dict with area and places."},
               {"warnings", "Why figures are in doubt, a sentence each.", "/part/warnings"}});
   found
@@ -75,7 +81,7 @@ void add_pieces(py::module_& module, PartClass& part) {
       .def("__repr__", [](const PythonPieces& self) {
         return py::str(fmt::format("<moldlight.Pieces: {}>", pieces_sentence(self.model(), self.result())));
       });
-  add_report(found, "The report", "pieces");
+  add_result(found, "pieces");
   part.def("pieces", &pieces,
            call_doc({.name = "pieces",
                      .arguments = "self",

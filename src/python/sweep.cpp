@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "classify/number_format.hpp"
-#include "python/bindings.hpp"
+#include "python/pages.hpp"
 #include "study/study.hpp"
 #include "sweep/direction_figures.hpp"
 #include "sweep/sweep_pictures.hpp"
@@ -16,10 +16,11 @@ namespace moldlight::python {
 namespace {
 
 /// moldlight.Sweep.
-struct PythonSweep : StudyAnswer<sweep_json> {
+struct PythonSweep : StudyAnswer<sweep_json, report::sweep_report> {
   using StudyAnswer::StudyAnswer;
 
   [[nodiscard]] const SweepResult& result() const { return *study.known<SweepResult>(); }
+  [[nodiscard]] Backend backend() const { return study.questions().sweep.method.backend; }
 };
 using SharedSweep = std::shared_ptr<PythonSweep>;
 
@@ -42,11 +43,14 @@ SharedSweep sweep(const PythonPart& self, const py::kwargs& keywords) {
   const py::object progress_given = given.take("progress");
   given.end();
   validate(settings.method, self.model->frame.diagonal);
-  return watched(progress_given, [&](const Progress& progress) {
+  auto found = watched(progress_given, [&](const Progress& progress) {
     Study study(self.model, {.sweep = settings});
     study.find<SweepResult>(progress);
     return std::make_shared<PythonSweep>(std::move(study));
   });
+  found->recall = recalled("sweep", self, py::tuple(), keywords);
+  if (!found->result().complete) found->recall.reduced = {};
+  return found;
 }
 
 /// A row a direction that was scored.
@@ -89,7 +93,7 @@ void add_sweep(py::module_& module, PartClass& part) {
               {{"candidates",
                 "The listed directions, best first: a dict each, with direction, areas, tilt and the other "
                 "figures of the report."},
-               {"verdict", "The verdict on the best direction: a dict with state, sentence and reasons."},
+               {"verdict", "The Verdict on the best direction; None where it was ended before."},
                {"proof", "The proof that prove asks for, as a dict; else None."},
                {"all_free", "The directions that all_free asks for, as a dict; else None."},
                {"remarks", "Remarks on the directions, a sentence each."},
@@ -115,7 +119,7 @@ void add_sweep(py::module_& module, PartClass& part) {
               [](const PythonSweep& self, const StillSettings& still, const Progress&) {
                 return sweep_sphere_picture(self.study.model(), self.result(), still);
               });
-  add_report(found, "The report", "sweep");
+  add_result(found, "sweep", true);
   part.def("sweep", &sweep,
            call_doc({.name = "sweep",
                      .arguments = "self",

@@ -57,14 +57,6 @@ std::optional<glm::dvec3> three_numbers(const py::handle& value) {
   return numbers;
 }
 
-std::string direction_text(const py::handle& value, std::string_view key) {
-  if (PyUnicode_Check(value.ptr())) return utf8_of(value, key);
-  const auto numbers = three_numbers(value);
-  if (!numbers)
-    throw UsageError(fmt::format("{}: not a direction; give three numbers, or an axis such as '-y'", key));
-  return fmt::format("{},{},{}", numbers->x, numbers->y, numbers->z);
-}
-
 /// What `value` holds, one after another; UsageError for what holds nothing.
 template <typename Visit>
 void each(const py::handle& value, std::string_view key, const Visit& visit) {
@@ -157,6 +149,7 @@ std::vector<std::array<VertexIndex, 3>> corners_of(const py::array& array, std::
 std::string value_text(const py::handle& value, std::string_view key) {
   if (is_switch(value)) return PyObject_IsTrue(value.ptr()) == 1 ? "on" : "off";
   if (PyUnicode_Check(value.ptr())) return utf8_of(value, key);
+  if (py::hasattr(value, "__fspath__")) return path_of(value, key);
   if (PyIndex_Check(value.ptr()) != 0) {
     const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
     const auto text = py::reinterpret_steal<py::object>(number ? PyObject_Str(number.ptr()) : nullptr);
@@ -175,6 +168,14 @@ std::string words_text(const py::handle& value, std::string_view key) {
   each(value, key,
        [&](const py::handle& item) { text += (text.empty() ? "" : ",") + value_text(item, key); });
   return text.empty() ? "none" : text;
+}
+
+std::string direction_text(const py::handle& value, std::string_view key) {
+  if (PyUnicode_Check(value.ptr())) return utf8_of(value, key);
+  const auto numbers = three_numbers(value);
+  if (!numbers)
+    throw UsageError(fmt::format("{}: not a direction; give three numbers, or an axis such as '-y'", key));
+  return fmt::format("{},{},{}", numbers->x, numbers->y, numbers->z);
 }
 
 std::string directions_text(const py::handle& value, std::string_view key) {

@@ -29,6 +29,8 @@ namespace py = pybind11;
 [[nodiscard]] std::string words_text(const py::handle& value, std::string_view key);
 /// One direction or several, a line each.
 [[nodiscard]] std::string directions_text(const py::handle& value, std::string_view key);
+/// A direction as it is given: "X,Y,Z", an axis, a word.
+[[nodiscard]] std::string direction_text(const py::handle& value, std::string_view key);
 /// Three numbers or an axis such as "-y".
 [[nodiscard]] glm::dvec3 direction_of(const py::handle& value, std::string_view key);
 /// A file's name: text, bytes or os.PathLike.

@@ -57,7 +57,8 @@ void add_part(const fs::path& folder, const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   try {
-    const std::string target = target_of(detect_format(path.string(), beginning_of(bytes)));
+    const std::string target =
+        target_of(detect_format(path.string(), beginning_of(bytes), lower_extension(path.string())));
     if (!target.empty()) write_seed(folder, target, path.filename().string(), bytes);
   } catch (const FileError&) {
     // No part file by content or name: no seed either.

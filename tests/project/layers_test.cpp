@@ -29,9 +29,9 @@ const std::map<std::string, Layers>& allowed_layers() {
   };
   static const Layers k_actions = with(k_classify, "classify"), k_parting = with(k_actions, "actions"),
                       k_sweep = with(with(k_parting, "parting"), "proof"), k_pieces = with(k_sweep, "sweep"),
-                      k_study = with(k_pieces, "pieces"), k_python = with(k_study, "study"),
-                      k_entry = with(with(k_python, "compare"), "batch"),
-                      k_report = with(with(k_python, "compare"), "page"),
+                      k_study = with(k_pieces, "pieces"), k_above_study = with(k_study, "study"),
+                      k_entry = with(with(k_above_study, "compare"), "batch"),
+                      k_report = with(with(k_above_study, "compare"), "page"),
                       k_program = with(with(with(with(k_entry, "gui"), "report"), "page"), "serve");
   static const std::map<std::string, Layers> k_allowed = {
       {"base", {}},
@@ -48,14 +48,14 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"sweep", k_sweep},
       {"pieces", k_pieces},
       {"study", k_study},
-      {"compare", k_python},
+      {"compare", k_above_study},
       {"batch", {"base", "io", "page", "classify"}},
       {"report", k_report},
       {"serve", {"base"}},
       {"step", {"io", "mesh"}},
       {"gui", with(k_entry, "report")},
       {"cli", k_program},
-      {"python", k_python},
+      {"python", with(with(k_above_study, "compare"), "report")},
       {"freecad", {}},  // Python alone
       {"picture", {"base", "mold"}},
   };
