@@ -88,6 +88,7 @@ void add_actions(py::module_& module, PartClass& part) {
         return StillPainter(*context, self.study.shared_model()).draw(self.result(), still, progress, pulled);
       });
   add_result(found, "actions");
+  add_pages(found);
   part.def("actions", &find_side_actions, py::arg("direction"),
            call_doc({.name = "actions",
                      .arguments = "self, direction",

@@ -84,7 +84,7 @@ struct Recall {
 
 /// What a call returns: the study that has found all that is shown, and its reports.
 template <Json (*k_json)(Study&, const Progress&),
-          report::Report (*k_report)(const report::ReportContext&, Study&)>
+          report::Report (*k_report)(const report::ReportContext&, Study&) = nullptr>
 struct StudyAnswer {
   using BoundToPython = void;
   explicit StudyAnswer(Study found) : study(std::move(found)) {}

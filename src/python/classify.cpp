@@ -274,7 +274,8 @@ void add_classify(py::module_& module, PartClass& part) {
       return png_bytes(drawn(self, {.size = {800, 500}}, progress));
     }));
   });
-  add_result(result, "classify", true);
+  add_result(result, "classify");
+  add_pages(result, true);
   part.def("classify", &classify, py::arg("direction"),
            call_doc({.name = "classify",
                      .arguments = "self, direction",

@@ -113,6 +113,7 @@ void add_compare(py::module_& module, PartClass& part) {
                 return comparison_picture(*context, self.found, still, progress);
               });
   add_result(result, "compare");
+  add_pages(result);
   module.def("compare", &compare, py::arg("before"), py::arg("after"), py::arg("direction") = "best",
              call_doc({.name = "compare",
                        .arguments = "before, after, direction='best'",

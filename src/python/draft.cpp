@@ -93,6 +93,7 @@ void add_draft(py::module_& module, PartClass& part) {
         return with_draft_histogram(picture, self.model(), self.check(), still);
       });
   add_result(found, "classify --required-draft");
+  add_pages(found);
   part.def("draft", &find_draft, py::arg("direction"),
            call_doc({.name = "draft",
                      .arguments = "self, direction",

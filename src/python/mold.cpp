@@ -151,6 +151,7 @@ void add_mold(py::module_& module, PartClass& part) {
                                     still, progress);
               });
   add_result(mold, "mold");
+  add_pages(mold);
   part.def("mold", &find_mold, py::arg("direction"),
            call_doc({.name = "mold",
                      .arguments = "self, direction",

@@ -35,12 +35,11 @@ class PageCall {
 [[nodiscard]] py::object reduced(const Recall& recall);
 [[nodiscard]] const char* page_doc(bool pdf, bool can_live);
 
-/// Adds to_json() and to_dict() as add_report() does, to_html() and to_pdf() as --html and --pdf make them,
-/// pickling and copying. `can_live`: the page may find the regions of any direction.
+/// Adds to_html() and to_pdf(), as --html and --pdf make them. `can_live`: the page may find the regions of
+/// any direction.
 template <typename Bound>
-void add_result(Bound& bound, const std::string& command, bool can_live = false) {
+void add_pages(Bound& bound, bool can_live = false) {
   using Type = typename Bound::type;
-  add_report(bound, "The report", command);
   for (const bool pdf : {false, true}) {
     bound.def(
         pdf ? "to_pdf" : "to_html",
@@ -54,6 +53,13 @@ void add_result(Bound& bound, const std::string& command, bool can_live = false)
         },
         py::arg("file") = py::none(), page_doc(pdf, can_live));
   }
+}
+
+/// Adds to_json() and to_dict() as add_report() does, pickling and copying.
+template <typename Bound>
+void add_result(Bound& bound, const std::string& command) {
+  using Type = typename Bound::type;
+  add_report(bound, "The report", command);
   bound.def("__reduce__", [](const Type& self) { return reduced(self.recall); })
       .def("__copy__", [](const py::object& self) { return self; })
       .def("__deepcopy__", [](const py::object& self, const py::object&) { return self; });

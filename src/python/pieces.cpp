@@ -12,12 +12,8 @@ using namespace py::literals;
 
 namespace {
 
-report::Report report_of_pieces(const report::ReportContext& context, Study& study) {
-  return report::pieces_report(context, study.find<PiecesResult>(context.progress));
-}
-
 /// moldlight.Pieces.
-struct PythonPieces : StudyAnswer<pieces_json, report_of_pieces> {
+struct PythonPieces : StudyAnswer<pieces_json> {
   using StudyAnswer::StudyAnswer;
 
   [[nodiscard]] const PiecesResult& result() const { return *study.known<PiecesResult>(); }

@@ -119,7 +119,8 @@ void add_sweep(py::module_& module, PartClass& part) {
               [](const PythonSweep& self, const StillSettings& still, const Progress&) {
                 return sweep_sphere_picture(self.study.model(), self.result(), still);
               });
-  add_result(found, "sweep", true);
+  add_result(found, "sweep");
+  add_pages(found, true);
   part.def("sweep", &sweep,
            call_doc({.name = "sweep",
                      .arguments = "self",

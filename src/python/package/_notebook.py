@@ -1,6 +1,7 @@
 """What notebooks show of parts and regions."""
 
 import html
+import os
 
 from ._core import Classification, Error, Part
 
@@ -10,7 +11,7 @@ def _part_table(self):
     lows, highs = health.bounds
     unit = f" {self.unit}" if self.unit else ""
     size = " × ".join(f"{high - low:.4g}" for low, high in zip(lows, highs))
-    rows = [("File", self.file or "arrays"), ("Format", self.format), ("Facets", f"{health.facets:,}"),
+    rows = [("File", os.path.basename(self.file) or "arrays"), ("Format", self.format), ("Facets", f"{health.facets:,}"),
             ("Closed", "yes" if health.closed else "no"), ("Size", size + unit),
             ("Area", f"{health.area:.5g}{unit and unit + '²'}"), ("Volume", f"{health.volume:.5g}{unit and unit + '³'}")]
     rows += [("Warning", warning) for warning in self.warnings]
