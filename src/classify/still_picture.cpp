@@ -329,8 +329,10 @@ Image StillPainter::draw(const Classification& result, const StillSettings& sett
        settings.focus.empty() ? std::span<const glm::vec3>(geometry_.extremes) : settings.focus, beyond});
   drawing(0.4);
   const gl::ColourTarget picture(context_->functions(), size);
-  view_.draw_final({picture.framebuffer(), size}, maps_.subject(),
-                   {camera, view_settings, {}, shown.motions});
+  for (int samples = 1;
+       view_.draw({picture.framebuffer(), size}, maps_.subject(), {camera, view_settings, {}, shown.motions});
+       ++samples)
+    drawing(0.4 + 0.5 * samples / k_samples);
 
   Canvas canvas({size.x, size.y, picture.read()});
   drawing(0.9);

@@ -241,12 +241,13 @@ std::optional<std::string> step_reading_program() {
   for (const char* place :
        {"moldlight-step", "../libexec/moldlight/moldlight-step", "../lib/moldlight/moldlight-step"})
     places.push_back(folder / place);
-  // As a module of another program: from the shared library's own place, in a build folder or installed. Of
-  // the program itself the name may be relative, and says nothing.
+  // As a module of another program: from the shared library's own place, beside it, in a build folder or
+  // installed. Of the program itself the name may be relative, and says nothing.
   Dl_info own = {};
   if (::dladdr(&k_end_mark, &own) != 0 && own.dli_fname != nullptr && own.dli_fname[0] == '/') {
     const fs::path library = fs::path(own.dli_fname).parent_path();
-    for (const char* place : {"../../bin/moldlight-step", "../../../../libexec/moldlight/moldlight-step"})
+    for (const char* place :
+         {"moldlight-step", "../../bin/moldlight-step", "../../../../libexec/moldlight/moldlight-step"})
       places.push_back(library / place);
   }
   for (const fs::path& program : places)

@@ -1,17 +1,24 @@
 """Help, signatures, stubs and settings: made from one table, and complete."""
 
 import ast
+import importlib.util
 import inspect
+import os
 import pathlib
 import pydoc
+import re
+import subprocess
+import sys
+import tempfile
 import unittest
 
 import moldlight
 import support
 
 CALLS = {"Part": moldlight.Part, "read": moldlight.Part.read, "classify": moldlight.Part.classify,
-         "sweep": moldlight.Part.sweep, "actions": moldlight.Part.actions, "mold": moldlight.Part.mold,
-         "picture": moldlight.Classification.picture}
+         "draft": moldlight.Part.draft, "sweep": moldlight.Part.sweep, "actions": moldlight.Part.actions,
+         "mold": moldlight.Part.mold, "compare": moldlight.compare, "picture": moldlight.Classification.picture,
+         "to_html": moldlight.Draft.to_html, "to_pdf": moldlight.Draft.to_pdf}
 STUB = pathlib.Path(moldlight.__file__).with_name("__init__.pyi")
 
 
@@ -85,13 +92,29 @@ class Stub(unittest.TestCase):
     def test_calls_have_the_settings(self):
         for node in ast.walk(self.tree):
             if isinstance(node, ast.FunctionDef) and node.name in CALLS:
-                noted = {argument.arg for argument in node.args.kwonlyargs}
+                # Pages of some results alone can be live.
+                noted = {argument.arg for argument in node.args.kwonlyargs} - {"live"}
                 self.assertEqual(noted, {parameter.name for parameter in
                                         inspect.signature(CALLS[node.name]).parameters.values()
                                         if parameter.kind is inspect.Parameter.KEYWORD_ONLY})
 
     def test_typed(self):
         self.assertTrue(STUB.with_name("py.typed").exists())
+
+    def test_the_manuals_snippets_are_typed(self):
+        if importlib.util.find_spec("mypy") is None:
+            self.skipTest("mypy is not there")
+        page = (support.SOURCE / "docs" / "python.md").read_text(encoding="utf-8")
+        snippets = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+        self.assertGreater(len(snippets), 2)
+        with tempfile.TemporaryDirectory() as folder:
+            files = [pathlib.Path(folder) / f"snippet_{number}.py" for number in range(len(snippets))]
+            for file, text in zip(files, snippets):
+                file.write_text(text, encoding="utf-8")
+            done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", folder, *files],
+                                  env={**os.environ, "MYPYPATH": str(STUB.parent.parent)}, capture_output=True,
+                                  text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
 
 if __name__ == "__main__":

@@ -100,8 +100,8 @@ class Compare(unittest.TestCase):
 class Pages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.part = moldlight.Part.read(CLIP, unit="mm")
-        cls.found = cls.part.classify("y", tau_deg=2)
+        cls.found = moldlight.Part.read(CLIP, unit="mm").classify("y", tau_deg=2)
+        cls.page = cls.found.to_html()
 
     def test_the_page_is_the_commands(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -118,7 +118,7 @@ class Pages(unittest.TestCase):
         self.assertIn("part.classify(&#39;y&#39;, tau_deg=2)", page)
 
     def test_where_it_goes(self):
-        page = self.found.to_html()
+        page = self.page
         text, data = io.StringIO(), io.BytesIO()
         self.assertIsNone(self.found.to_html(text))
         self.assertIsNone(self.found.to_html(data))
@@ -144,12 +144,12 @@ class Pages(unittest.TestCase):
     def test_every_result_that_the_command_has_a_page_of(self):
         part = moldlight.Part(*notched(2), unit="mm")
         other = moldlight.Part(*notched(3), unit="mm")
-        for found, word in ((part.actions("z"), "Side actions"), (part.mold("z"), "Mold"),
-                            (part.sweep(directions=10, top=1), "direction"),
-                            (part.draft("z", required_draft_deg=1), "Draft"),
+        for found, word in ((part.mold("z"), "Mold"), (part.draft("z", required_draft_deg=1), "Draft"),
                             (moldlight.compare(part, other, "z"), "gone")):
             self.assertIn(word, found.to_html(), type(found))
-        self.assertFalse(hasattr(part.pieces(), "to_html"))
+        for made in (moldlight.Actions, moldlight.Sweep):
+            self.assertTrue(callable(made.to_html) and callable(made.to_pdf))
+        self.assertFalse(hasattr(moldlight.Pieces, "to_html"))
 
     def test_notebooks(self):
         picture = self.found._repr_png_()

@@ -19,24 +19,24 @@ def _package(name, call):
 
 def _part_to_trimesh(self):
     """The part as a trimesh.Trimesh: facet k is facet k of the part."""
-    trimesh = _package("trimesh", "to_trimesh")
-    return trimesh.Trimesh(np.array(self.vertices), np.array(self.faces), process=False)
+    vertices, faces = np.array(self.vertices), np.array(self.faces)
+    return _package("trimesh", "to_trimesh").Trimesh(vertices, faces, process=False)
 
 
 def _part_to_meshio(self):
     """The part as a meshio.Mesh, with the cell data "face" where faces of the file are known."""
-    meshio = _package("meshio", "to_meshio")
     sources = self.face_of_facet
     data = {} if sources is None else {"face": [np.array(sources)]}
-    return meshio.Mesh(np.array(self.vertices), [("triangle", np.array(self.faces))], cell_data=data)
+    cells = [("triangle", np.array(self.faces))]
+    return _package("meshio", "to_meshio").Mesh(np.array(self.vertices), cells, cell_data=data)
 
 
 def _regions_to_trimesh(self, palette="paper"):
     """The split mesh as a trimesh.Trimesh in the colours of its regions. Its face_attributes are "region", places
     in moldlight.REGIONS, and "facet", the part's facet."""
-    trimesh = _package("trimesh", "to_trimesh")
     split = self.split_mesh()
     regions = np.array(split.regions)
+    trimesh = _package("trimesh", "to_trimesh")
     return trimesh.Trimesh(np.array(split.vertices), np.array(split.faces), process=False,
                            face_colors=np.array(REGION_COLOURS[palette], np.uint8)[regions],
                            face_attributes={"region": regions, "facet": np.array(split.facets)})
@@ -45,8 +45,8 @@ def _regions_to_trimesh(self, palette="paper"):
 def _regions_to_meshio(self):
     """The split mesh as a meshio.Mesh. Its cell data are "region", places in moldlight.REGIONS, and "facet", the
     part's facet."""
-    meshio = _package("meshio", "to_meshio")
     split = self.split_mesh()
+    meshio = _package("meshio", "to_meshio")
     return meshio.Mesh(np.array(split.vertices), [("triangle", np.array(split.faces))],
                        cell_data={"region": [np.array(split.regions)], "facet": [np.array(split.facets)]})
 
