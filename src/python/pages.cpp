@@ -47,8 +47,8 @@ py::object put_page(const std::string& text, bool pdf, const py::object& file) {
   const auto content = [&] { return pdf ? bytes() : py::object(py::str(text)); };
   if (file.is_none()) return content();
   if (py::hasattr(file, "write")) {
-    const bool as_text = py::isinstance(file, py::module_::import("io").attr("TextIOBase"));
-    file.attr("write")(as_text ? content() : bytes());
+    // Only what takes text has an encoding; temporary files are of no class that says so.
+    file.attr("write")(py::hasattr(file, "encoding") ? content() : bytes());
   } else {
     write_file(path_of(file, "file"), text);
   }

@@ -69,7 +69,13 @@ Content content_of(const py::object& file) {
   };
   const bool open = !py::hasattr(file, "__fspath__") && py::hasattr(file, "read");
   if (!open && !is_bytes(file)) return {path_of(file, "path"), {}};
-  Content content{"bytes", open ? file.attr("read")() : file};
+  Content content{"bytes", file};
+  try {
+    if (open) content.bytes = file.attr("read")();
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_UnicodeDecodeError)) throw;
+    throw UsageError("path: the file is open as text, and is none; open it with the mode 'rb'");
+  }
   if (open && py::hasattr(file, "name") && py::isinstance<py::str>(file.attr("name")))
     content.name = value_text(file.attr("name"), "path");
   if (py::isinstance<py::str>(content.bytes)) content.bytes = content.bytes.attr("encode")();

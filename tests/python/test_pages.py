@@ -122,6 +122,10 @@ class Pages(unittest.TestCase):
         text, data = io.StringIO(), io.BytesIO()
         self.assertIsNone(self.found.to_html(text))
         self.assertIsNone(self.found.to_html(data))
+        with tempfile.NamedTemporaryFile("w+", encoding="utf-8") as file:
+            self.found.to_html(file)
+            file.seek(0)
+            self.assertEqual(file.read(), page)
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "page.html"
             self.assertIsNone(self.found.to_html(file))
@@ -176,6 +180,10 @@ class Reading(unittest.TestCase):
         with open(LID, "rb") as file:
             self.assertEqual(moldlight.Part.read(file).file, str(LID))
         self.assertEqual(moldlight.Part.read(data).format, noted.format)
+
+    def test_a_file_that_is_open_as_text(self):
+        with open(LID, encoding="utf-8") as file, self.assertRaisesRegex(moldlight.UsageError, "mode 'rb'"):
+            moldlight.Part.read(file)
 
     def test_text(self):
         lines = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"

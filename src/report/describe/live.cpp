@@ -117,12 +117,12 @@ void measure_errors(const ReportContext& context, const std::shared_ptr<const Pa
   for (const glm::dvec3& direction : measured_directions(known.front().direction, live.method.tau_deg))
     directions.push_back({"", direction, {}});
   for (std::size_t k = 0; k < directions.size(); ++k) {
-    context.progress.report("measuring the maps",
-                            static_cast<double>(k) / static_cast<double>(directions.size()));
     const Query query{directions[k].direction, live.method};
     if (k >= known.size())
       directions[k].areas = classify_exact(*context.model, query, Progress(&context.progress)).areas;
     for (LiveError& error : live.errors) {
+      context.progress.report("measuring the maps",
+                              static_cast<double>(k) / static_cast<double>(directions.size()));
       maps.draw_quickly(page_query(model, query, error.resolution));
       std::vector<std::uint8_t> verdicts = pass.run(samples.samples, maps.maps(), Doubt::marked);
       const auto off = [&] {
