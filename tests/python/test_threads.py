@@ -157,7 +157,8 @@ except KeyboardInterrupt:
     def test_ends_every_other_call_within_a_second(self):
         # Again and again, so that the signal falls anywhere.
         for call in ("part.mold('z', actions=True)", "part.draft('z', required_draft_deg=1)",
-                     "moldlight.compare(part, part, 'z')", "moldlight.Part.read(open(sys.argv[1], 'rb'))"):
+                     "moldlight.compare(part, part, 'z')", "moldlight.Part.read(open(sys.argv[1], 'rb'))",
+                     "part.classify('z').picture()", "part.classify('z').to_html(live=True)"):
             with self.subTest(call=call):
                 self.assertLess(min(self.interrupt(call) for _ in range(2)), 1.0)
 
