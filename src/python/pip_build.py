@@ -1,4 +1,4 @@
-"""Builds the Python package with CMake, for `pip install .` and `pip wheel .`."""
+"""Builds the Python package with CMake, for `pip install .` and `pip wheel .`: pyproject.toml names it."""
 
 import pathlib
 import re
@@ -6,10 +6,10 @@ import shutil
 import subprocess
 import sys
 
-from setuptools import Extension, setup
+from setuptools import Extension, build_meta, setup
 from setuptools.command.build_ext import build_ext
 
-SOURCE = pathlib.Path(__file__).resolve().parent
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
 BUILD = SOURCE / "build"
 
 
@@ -33,7 +33,17 @@ class BuildWithCMake(build_ext):
         return [str(path) for path in (pathlib.Path(self.build_lib) / "moldlight").rglob("*")]
 
 
-BUILD.mkdir(exist_ok=True)
-setup(version=re.search(r"project\(moldlight VERSION ([\d.]+)", (SOURCE / "CMakeLists.txt").read_text())[1],
-      packages=[], ext_modules=[Extension("moldlight._core", [])], cmdclass={"build_ext": BuildWithCMake},
-      options={"egg_info": {"egg_base": "build"}, "build": {"build_base": "build/pip"}})
+class Backend(build_meta._BuildMetaBackend):
+    """What pyproject.toml names: setuptools, with this file in place of a setup.py."""
+
+    def run_setup(self, setup_script="setup.py"):
+        super().run_setup(__file__)
+
+
+if __name__ == "__main__":
+    BUILD.mkdir(exist_ok=True)
+    setup(version=re.search(r"project\(moldlight VERSION ([\d.]+)", (SOURCE / "CMakeLists.txt").read_text())[1],
+          packages=[], ext_modules=[Extension("moldlight._core", [])], cmdclass={"build_ext": BuildWithCMake},
+          options={"egg_info": {"egg_base": "build"}, "build": {"build_base": "build/pip"}})
+else:
+    backend = Backend()
