@@ -118,9 +118,11 @@ class Progress(unittest.TestCase):
 
 
 class Interrupt(unittest.TestCase):
+    # A shell has its jobs in the background ignore the signal.
     SCRIPT = """
-import sys, time
+import signal, sys, time
 import moldlight
+signal.signal(signal.SIGINT, signal.default_int_handler)
 part = moldlight.Part.read(sys.argv[1])
 call = eval(sys.argv[2])
 print("ready", flush=True)
