@@ -46,7 +46,10 @@ void add_report_flags(CLI::App& command, ReportFlags& flags, const Request& requ
                  "part to turn, open and cut"});
   CLI::Option* pdf = add_file_flag(command, flags.pdf, {"--pdf", "FILE.pdf", "Write the same report as PDF"});
   add_option_flag(command, report::paper_options().front(), flags.paper)->needs(pdf);
-  add_option_flags(command, report::title_options(), flags.title);
+  // An empty text is one that a script leaves empty.
+  for (const Option<report::TitleFacts>& option : report::title_options())
+    add_text_flag(command, {names_of(option.flag), value_text(option), std::string(option.help)},
+                  [&option, &flags](const std::string& text) { set_option(option, flags.title, text); });
   flags.title = report::usual_title();
 }
 
