@@ -206,8 +206,6 @@ PYBIND11_MODULE(_core, module) {
   for (const AddCall add : calls()) add(module, part);
   module.def("settings", &settings_list, py::arg("call"),
              "settings(call)\n--\n\nThe settings of a call: 'Part', 'read', 'classify', 'draft', 'sweep', "
-             "'pieces', "
-             "'actions', 'mold',\n'compare', 'picture', 'to_html' or 'to_pdf'. A list with a dict each: key, "
-             "label, unit, "
-             "help, type,\ndefault, words, least, greatest.");
+             "'pieces', 'actions', 'mold',\n'compare', 'picture', 'to_html' or 'to_pdf'. A list with a dict "
+             "each: key, label, unit, help, type,\ndefault, words, least, greatest.");
 }
