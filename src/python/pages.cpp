@@ -63,7 +63,7 @@ py::object reduced(const Recall& recall) {
 
 const char* page_doc(bool pdf, bool can_live) {
   static const std::string k_to =
-      "\n\nfile: a name, or what has write(). Without it, the {} are returned.\nprogress: as for Part().";
+      "\n\nfile: a name, or what has write(). Without it, the {} returned.\nprogress: as for Part().";
   const std::string live =
       can_live && !pdf ? "\nlive: the page finds the regions of any direction by itself, on the reader's "
                          "graphics card."
@@ -71,7 +71,7 @@ const char* page_doc(bool pdf, bool can_live) {
   const std::string text =
       (pdf ? "Makes the report on pages of paper, as --pdf does. Needs OpenGL, no display."
            : "Makes the report for any browser, as --html does. Needs OpenGL, no display.") +
-      fmt::format(fmt::runtime(k_to), pdf ? "bytes" : "page's text") + live;
+      fmt::format(fmt::runtime(k_to), pdf ? "bytes are" : "page's text is") + live;
   return call_doc({.name = pdf ? "to_pdf" : "to_html",
                    .arguments = "self, file=None",
                    .more = can_live && !pdf ? "live=False, progress=None" : "progress=None",
