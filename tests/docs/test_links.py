@@ -9,7 +9,7 @@ import page_check
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 # Flags of other programs: sbatch, cmake.
-OTHERS = {"--cpus-per-task", "--build", "--install", "--prefix", "--preset"}
+OTHERS = {"--cpus-per-task", "--build", "--install", "--no-build-isolation", "--prefix", "--preset"}
 
 
 class Links(unittest.TestCase):
