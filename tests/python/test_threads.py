@@ -1,6 +1,7 @@
 """Threads side by side, progress, cancelling, Ctrl-C, child processes."""
 
 import os
+import pathlib
 import signal
 import subprocess
 import sys
@@ -94,10 +95,10 @@ class Progress(unittest.TestCase):
             self.assertTrue(stage and 0 <= share <= 1 and thread is threading.main_thread(), noted)
 
     def test_false_ends_the_work(self):
-        began = time.monotonic()
+        began = time.process_time()
         with self.assertRaisesRegex(moldlight.Cancelled, "callback"):
             self.part.classify("best", progress=lambda stage, share: False)
-        self.assertLess(time.monotonic() - began, 5)
+        self.assertLess(time.process_time() - began, 5)
         self.assertEqual(self.part.classify("z").areas, moldlight.Part.read(LID).classify("z").areas)
 
     def test_false_ends_a_sweep_with_what_is_done(self):
@@ -133,31 +134,32 @@ try:
     while True:
         call()
 except KeyboardInterrupt:
-    print("interrupted", time.monotonic(), flush=True)
+    print("interrupted", time.process_time(), flush=True)
     print(part.classify("z").areas["core"] > 0)
 """
 
     def interrupt(self, call):
+        """Seconds of the processor from Ctrl-C to the exception, whatever else the machine does."""
         work = subprocess.Popen([sys.executable, "-c", self.SCRIPT, str(LID), f"lambda: {call}"],
                                 stdout=subprocess.PIPE, text=True)
         with work.stdout:
             self.assertEqual(work.stdout.readline(), "ready\n")
             time.sleep(1.5)
-            pressed = time.monotonic()
+            stat = pathlib.Path(f"/proc/{work.pid}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()
+            used = (int(stat[11]) + int(stat[12])) / os.sysconf("SC_CLK_TCK")
             work.send_signal(signal.SIGINT)
             word, ended = work.stdout.readline().split()
             self.assertEqual(word, "interrupted")
             self.assertEqual(work.stdout.readline(), "True\n")
         self.assertEqual(work.wait(), 0)
-        return float(ended) - pressed
+        return float(ended) - used
 
     def test_ends_a_sweep_within_a_second(self):
-        # The best of three: a machine that does other work besides may stop a process for a while.
-        self.assertLess(min(self.interrupt(f"part.sweep(**{LONG})") for _ in range(3)), 1.0)
+        self.assertLess(self.interrupt(f"part.sweep(**{LONG})"), 1.0)
 
     def test_ends_a_proof_within_a_second(self):
         proof = {"prove": 0.0, "proof": "area", "directions": 10, "top": 1, "candidates": "axis", "refine": 0}
-        self.assertLess(min(self.interrupt(f"part.sweep(**{ {**proof, **LONG} })") for _ in range(3)), 1.0)
+        self.assertLess(self.interrupt(f"part.sweep(**{ {**proof, **LONG} })"), 1.0)
 
     def test_ends_every_other_call_within_a_second(self):
         # Again and again, so that the signal falls anywhere.
@@ -165,7 +167,7 @@ except KeyboardInterrupt:
                      "moldlight.compare(part, part, 'z')", "moldlight.Part.read(data)",
                      "part.classify('z').picture()", "part.classify('z').to_html(live=True)"):
             with self.subTest(call=call):
-                self.assertLess(min(self.interrupt(call) for _ in range(2)), 1.0)
+                self.assertLess(max(self.interrupt(call) for _ in range(2)), 1.0)
 
 
 if __name__ == "__main__":

@@ -83,6 +83,11 @@ class Client:
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text(encoding="ascii")
         return int(status.split("VmHWM:")[1].split()[0])
 
+    def processor_s(self):
+        """Seconds that it has computed, whatever else the machine does."""
+        stat = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()
+        return (int(stat[11]) + int(stat[12])) / os.sysconf("SC_CLK_TCK")
+
     def close(self, timeout=60):
         """Ends the input; the exit code."""
         if not self.process.stdin.closed:

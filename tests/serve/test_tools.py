@@ -129,11 +129,11 @@ class Figures(unittest.TestCase):
     def test_a_part_is_read_once(self):
         asked = {"part": LID, "direction": "z", "unit": "mm"}
         with Client() as client:
-            begin = time.monotonic()
+            begin = client.processor_s()
             first = client.call("side_actions", **asked)
-            between = time.monotonic()
+            between = client.processor_s()
             again = client.call("side_actions", **asked)
-            self.assertLess(time.monotonic() - between, 0.5 * (between - begin))
+            self.assertLess(client.processor_s() - between, 0.5 * (between - begin))
             self.assertEqual(again["result"], first["result"])
 
     def test_a_part_that_changed_is_read_anew(self):
