@@ -91,6 +91,13 @@ std::string shown_text(std::string_view text, std::size_t most_bytes) {
   return result;
 }
 
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  std::ranges::replace_if(
+      line, [](char c) { return c >= '\t' && c <= '\r'; }, ' ');
+  return shown_text(line);
+}
+
 std::string wrapped_text(std::string_view text, std::size_t width, std::size_t indent) {
   std::string lines;
   std::size_t column = 0;

@@ -26,6 +26,9 @@ namespace moldlight {
 /// most `most_bytes`, and then "...".
 [[nodiscard]] std::string shown_text(std::string_view text, std::size_t most_bytes = std::string_view::npos);
 
+/// As shown_text() has it, with blanks for white space.
+[[nodiscard]] std::string one_line(std::string_view text);
+
 /// Lines of at most `width` columns, broken at blanks; all but the first are indented.
 [[nodiscard]] std::string wrapped_text(std::string_view text, std::size_t width, std::size_t indent = 0);
 

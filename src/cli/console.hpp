@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "base/one_line.hpp"
+#include "base/shown_text.hpp"
 
 namespace moldlight::cli {
 

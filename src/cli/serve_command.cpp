@@ -30,9 +30,8 @@ struct ServeFlags {
 
 constexpr std::string_view k_instructions =
     "moldlight answers questions about injection-molded parts: which surface the core and the cavity form, "
-    "which is an undercut, how the mold should open, and which side actions it needs. Paths are those of "
-    "part "
-    "files, from the folder that is served. Give unit, such as mm, for files that state none, such as STL. "
+    "which is an undercut, how the mold should open, and which side actions it needs. Paths are from "
+    "the folder that is served. Give unit, such as mm, for files that state none, such as STL. "
     "Begin with recommend_direction, or with classify along a direction that the user names. State a figure "
     "with its unit, and with its uncertainty where there is one.";
 

@@ -1,6 +1,5 @@
 #include "cli/serve_tools.hpp"
 
-#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "cli/served_parts.hpp"
 #include "cli/tool_arguments.hpp"
 #include "io/png.hpp"
+#include "page/page.hpp"
 #include "parting/mold_picture.hpp"
 #include "report/describe/describe.hpp"
 #include "report/writers.hpp"
@@ -111,19 +111,15 @@ Json compare(const ToolQuestion& question, ServedParts& parts, const Progress& p
   ServedPart old_part = parts.part(question.part, question.reading, progress);
   ServedPart new_part = parts.part(question.revision, question.reading, progress);
   validate(question.method, old_part.study.model().frame.diagonal);
-  const bool given = question.direction_word.empty();
-  CompareSettings settings = question.compare;
-  settings.actions = question.actions;
-  settings.with_mold = settings.with_mold || given;
-  Comparison comparison =
-      prepare_comparison(old_part.study.shared_model(), new_part.study.shared_model(), settings, progress);
-  ComparedQuery query{question.direction, question.direction, question.method};
-  if (!given) {
-    query.a = query.b = best_direction(comparison.a.model, question.method, progress).direction;
-    if (question.direction_word == "each")
-      query.b = best_direction(comparison.b.model, question.method, progress).direction;
-  }
-  compare_parts(comparison, query, progress);
+  CompareQuestion asked{.choice = question.direction_word.empty()     ? CompareDirection::given
+                                  : question.direction_word == "each" ? CompareDirection::each
+                                                                      : CompareDirection::best,
+                        .direction = question.direction,
+                        .method = question.method,
+                        .settings = question.compare};
+  asked.settings.actions = question.actions;
+  const Comparison comparison =
+      compare_revisions(old_part.study.shared_model(), new_part.study.shared_model(), asked, progress);
   const std::string text =
       to_text(report::compare_report({comparison.b.model, progress}, comparison, {}), {});
   parts.keep(std::move(old_part));
@@ -144,20 +140,6 @@ Image drawn(const ToolQuestion& question, Study& study, const gl::Context& conte
   return StillPainter(context, study.shared_model()).draw(result, question.still, progress, bodies);
 }
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view k_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    const std::string_view three = bytes.substr(at, 3);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8U | (k < three.size() ? static_cast<unsigned char>(three[k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= three.size() ? k_digits[bits >> (18U - 6U * static_cast<unsigned>(k)) & 63U] : '=';
-  }
-  return text;
-}
-
 Json picture(const ToolQuestion& given, ServedParts& parts, const Progress& progress) {
   ToolQuestion question = given;
   question.with_actions = given.shown == Shown::side_actions;
@@ -165,7 +147,7 @@ Json picture(const ToolQuestion& given, ServedParts& parts, const Progress& prog
   ServedPart part = asked_part(question, parts, progress);
   const std::string png = png_bytes(drawn(question, part.study, *context, progress));
   parts.keep(std::move(part));
-  return content_of({{"type", "image"}, {"data", base64(png)}, {"mimeType", "image/png"}});
+  return content_of({{"type", "image"}, {"data", page::base64(png)}, {"mimeType", "image/png"}});
 }
 
 using ToolRun = Json (*)(const ToolQuestion&, ServedParts&, const Progress&);

@@ -9,7 +9,7 @@
 #include <pybind11/stl.h>
 
 #include "base/error.hpp"
-#include "base/one_line.hpp"
+#include "base/shown_text.hpp"
 #include "classify/info_report.hpp"
 #include "classify/json.hpp"
 #include "classify/number_format.hpp"

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "base/one_line.hpp"
+#include "base/shown_text.hpp"
 #include "io/png.hpp"
 
 namespace moldlight::report {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_text.hpp"
 #include "io/atomic_file.hpp"
 #include "picture/canvas.hpp"
 #include "report/pdf/blocks.hpp"
@@ -77,9 +78,9 @@ std::vector<Piece> legend_pieces(const Setting& setting, const ModelView& view) 
   for (const ViewGroup& group : view.groups) {
     if (group.name.empty() || group.hidden) continue;
     LegendItem item{{group.colour, group.hatched}, {}, {}};
-    item.aside = setting.canvas.elided(one_line_text(group.aside), aside, 0.5 * setting.room.x);
+    item.aside = setting.canvas.elided(one_line(group.aside), aside, 0.5 * setting.room.x);
     const double beside = item.aside.empty() ? 0.0 : setting.canvas.text_width(item.aside, aside) + 4.0;
-    item.name = setting.canvas.elided(one_line_text(group.name), name, setting.room.x - k_mark_pt - beside);
+    item.name = setting.canvas.elided(one_line(group.name), name, setting.room.x - k_mark_pt - beside);
     const double width = k_mark_pt + setting.canvas.text_width(item.name, name) + beside;
     if (at > 0.0 && at + width > setting.room.x) {
       rows.emplace_back();
@@ -165,7 +166,7 @@ void draw_footer(Canvas& canvas, const glm::dvec2& size, const Report& report, c
       right{.size_px = 7.5, .ink = k_faint, .align = Align::right};
   const double base = size.y - k_margin_pt - 2.0, width = size.x - 2.0 * k_margin_pt;
   const std::string name =
-      one_line_text(report.part + " · " + report.kind + (report.subject.empty() ? "" : " ") + report.subject);
+      one_line(report.part + " · " + report.kind + (report.subject.empty() ? "" : " ") + report.subject);
   const double room = width - canvas.text_width(number, right) - 12.0;
   canvas.text({k_margin_pt, base}, canvas.elided(name, style, room), style);
   canvas.text({size.x - k_margin_pt, base}, number, right);

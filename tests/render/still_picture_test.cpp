@@ -1,6 +1,9 @@
 // Still pictures: the undercuts are in view, the legend is there, and the same input gives the same picture.
 #include "classify/still_picture.hpp"
 
+#include <cstdint>
+
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
@@ -67,6 +70,31 @@ TEST(StillPicture, KeepsTheDirectionUpwardAndIsTheSameEveryTime) {
   EXPECT_NEAR(glm::dot(camera.right(), shape.direction), 0.0, 1e-9);
   const StillSettings settings{.size = {300, 200}};
   EXPECT_EQ(part.picture(settings).rgba, part.picture(settings).rgba);
+}
+
+/// A body far to the side, on a slant: of its box two corners say little of the room that it takes.
+TEST(StillPicture, HasRoomForBodies) {
+  const Classified part(cup_with_side_hole(ShapeSettings{}));
+  const double diagonal = part.model->frame.diagonal;
+  for (const glm::dvec3 way :
+       {glm::dvec3(1, -1, 0), glm::dvec3(-1, -1, 0), glm::dvec3(1, 1, -1), glm::dvec3(-1, 1, -1)}) {
+    StillBody body{.mesh = part.model->part.mesh, .colour = {255, 0, 255}, .label = {}};
+    body.motion = glm::translate(glm::dmat4(1.0), diagonal * way);
+    const Image image =
+        StillPainter(test::shared_context(), part.model)
+            .draw(part.result, {.size = {600, 400}, .look = {.arrows = false}}, {}, std::span(&body, 1));
+    std::size_t seen = 0, at_the_edge = 0;
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        const std::uint8_t* pixel = &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
+        if (pixel[0] < pixel[1] + 40 || pixel[2] < pixel[1] + 40) continue;
+        ++seen;
+        at_the_edge += x == 0 || y == 0 || x + 1 == image.width || y + 1 == image.height ? 1 : 0;
+      }
+    }
+    EXPECT_GT(seen, 1000U);
+    EXPECT_EQ(at_the_edge, 0U);
+  }
 }
 
 /// Along z the cup's hole is the undercut, on its side; along the hole it is the inside, seen from above:

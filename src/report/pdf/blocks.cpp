@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_text.hpp"
 #include "report/pdf/text.hpp"
 
 namespace moldlight::report {
@@ -191,8 +192,7 @@ Piece fact_piece(Canvas& canvas, const std::pair<std::string, std::string>& fact
   const TextStyle name_style{.size_px = k_small_pt, .ink = k_faint};
   const TextStyle value_style{.size_px = k_small_pt, .ink = k_ink, .align = Align::right};
   // A short name leaves the rest to the value.
-  const double name_width =
-      std::min(canvas.text_width(one_line_text(fact.first), name_style) + 0.01, 0.6 * width);
+  const double name_width = std::min(canvas.text_width(one_line(fact.first), name_style) + 0.01, 0.6 * width);
   const std::vector<std::string> name = few_lines_of(canvas, fact.first, name_style, name_width);
   const std::vector<std::string> value =
       few_lines_of(canvas, fact.second, value_style, width - name_width - 8.0);

@@ -4,6 +4,7 @@
 
 #include <glm/common.hpp>
 
+#include "base/shown_text.hpp"
 #include "report/pdf/blocks.hpp"
 #include "report/pdf/text.hpp"
 
@@ -79,7 +80,7 @@ class TableSetter {
               word_width(*canvas_, table_->columns[column].heading, heading)};
     for (const Row& row : table_->rows) {
       if (column >= row.cells.size()) continue;
-      const std::string text = one_line_text(row.cells[column].text);
+      const std::string text = one_line(row.cells[column].text);
       const double natural = canvas_->text_width(text, style) + mark_room(column);
       wish.natural = std::max(wish.natural, natural);
       const double word = word_width(*canvas_, text, style) + mark_room(column);

@@ -81,13 +81,6 @@ constexpr Ink k_stripe{{255, 255, 255}, 0.55};
 
 }  // namespace
 
-std::string one_line_text(std::string_view text) {
-  std::string line(text);
-  std::ranges::replace_if(
-      line, [](char c) { return c >= '\t' && c <= '\r'; }, ' ');
-  return shown_text(line);
-}
-
 std::vector<std::string> lines_of(Canvas& canvas, std::string_view text, const TextStyle& style,
                                   double width_pt) {
   LineBreaker breaker(canvas, style, width_pt);

@@ -19,9 +19,6 @@ inline constexpr double k_body_pt = 9.0, k_small_pt = 8.0;
 /// A line's height and how far below its top the letters stand, in sizes of the text.
 inline constexpr double k_line_height = 1.38, k_baseline = 1.02;
 
-/// Text in one line that shows every letter it has: white space becomes spaces, what would be obeyed escapes.
-[[nodiscard]] std::string one_line_text(std::string_view text);
-
 /// The text in lines of at most `width_pt`, broken at line ends, at spaces, and inside of words that are
 /// wider alone. At least one.
 [[nodiscard]] std::vector<std::string> lines_of(Canvas& canvas, std::string_view text, const TextStyle& style,

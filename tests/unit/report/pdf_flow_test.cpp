@@ -1,6 +1,7 @@
 // Page breaks: what they never cut, what stays together, what is said again.
 #include <gtest/gtest.h>
 
+#include "base/shown_text.hpp"
 #include "report/pdf/blocks.hpp"
 #include "report/pdf/text.hpp"
 #include "support/hostile_names.hpp"
@@ -115,8 +116,8 @@ TEST(PdfText, ARoomlessLetterStillStands) {
 }
 
 TEST(PdfText, WhiteSpaceIsSpacesAndControlsAreShown) {
-  EXPECT_EQ(one_line_text("a\nb\x1B[1m\x7F\xFF"), "a b\\u001B[1m\\u007F\\xFF");
-  for (const std::string& name : test::hostile_names()) EXPECT_TRUE(test::is_harmless(one_line_text(name)));
+  EXPECT_EQ(one_line("a\nb\x1B[1m\x7F\xFF"), "a b\\u001B[1m\\u007F\\xFF");
+  for (const std::string& name : test::hostile_names()) EXPECT_TRUE(test::is_harmless(one_line(name)));
 }
 
 }  // namespace
