@@ -152,7 +152,8 @@ int main(int argc, char** argv) {
   if (argc < 2) return 2;
   const fs::path folder = argv[1];
   for (const fuzz::SeedFile& seed : fuzz::seed_files()) {
-    const std::string target = target_of(detect_format(seed.name, beginning_of(seed.bytes)));
+    const std::string target =
+        target_of(detect_format(seed.name, beginning_of(seed.bytes), lower_extension(seed.name)));
     write_seed(folder, target, seed.name, seed.bytes);
   }
   for (const fuzz::SeedFile& seed : fuzz::threemf_model_seeds()) {
