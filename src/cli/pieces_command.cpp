@@ -1,4 +1,6 @@
 // moldlight pieces: molds of more than two pieces.
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -6,10 +8,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "classify/headless.hpp"
 #include "cli/flags.hpp"
 #include "cli/report_flags.hpp"
 #include "io/csv_tables.hpp"
 #include "io/mesh_writer.hpp"
+#include "io/png.hpp"
 #include "parting/line_files.hpp"
 #include "pieces/pieces_report.hpp"
 #include "study/study.hpp"
@@ -22,10 +26,27 @@ struct PiecesFlags {
   PartFlags part;
   MethodSettings method;
   PiecesSettings settings;
-  LookSettings look;
-  std::string directions_file, mesh;
+  MoldSettings mold;
+  StillSettings still;
+  ReportFlags report;
+  std::string directions_file, mesh, folder, image;
   std::vector<std::string> lines;
+  bool as_3mf = false;
+
+  [[nodiscard]] bool drawn() const { return !image.empty() || report.any(); }
 };
+
+void write_picture(const PiecesFlags& flags, Study& study, const gl::Context& context,
+                   const Progress& progress) {
+  const PartModel& model = study.model();
+  const PiecesResult& result = study.find<PiecesResult>(progress);
+  const auto bodies = pulled_pieces(model, study.find<PieceSolids>(progress), flags.still.look.palette);
+  StillSettings still = flags.still;
+  still.legend = still.look.arrows = still.look.hatching = false;
+  write_png(
+      flags.image,
+      StillPainter(context, study.shared_model()).draw(formed_part(model, result), still, progress, bodies));
+}
 
 int run(const PiecesFlags& flags, Console& console, const Progress& progress) {
   validate(flags.method);
@@ -33,23 +54,39 @@ int run(const PiecesFlags& flags, Console& console, const Progress& progress) {
                                     {"--mesh", flags.mesh},
                                     {"--mesh (its colours)", material_library_path(flags.mesh)}};
   for (const std::string& path : flags.lines) written.push_back({"--lines", path});
-  check_outputs(
-      {.inputs = {{"PART", flags.part.part}, {"--directions", flags.directions_file}}, .files = written});
+  written.push_back({"--image", flags.image});
+  std::ranges::copy(flags.report.files(), std::back_inserter(written));
+  check_outputs({.inputs = {{"PART", flags.part.part}, {"--directions", flags.directions_file}},
+                 .files = written,
+                 .folder = {"--out", flags.folder}});
+  // Before long work, which would be for nothing where there is none.
+  const auto context = flags.drawn() ? create_context(flags.method.backend) : nullptr;
   PiecesSettings settings = flags.settings;
   if (!flags.directions_file.empty()) settings.proposed = read_directions(flags.directions_file, progress);
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
   for (const std::string& warning : model->warnings) console.warning(warning);
-  Study study(model, {.query = {{}, flags.method}, .pieces = std::move(settings)});
+  Study study(model, {.query = {{}, flags.method}, .mold = flags.mold, .pieces = std::move(settings)});
   const PiecesResult& result = study.find<PiecesResult>(progress);
   progress.report("writing", 0.0);
-  if (!flags.mesh.empty()) write_pieces_mesh(flags.mesh, *model, result, flags.look.palette);
+  if (!flags.mesh.empty()) write_pieces_mesh(flags.mesh, *model, result, flags.still.look.palette);
   for (const std::string& path : flags.lines) write_seams(path, *model, result);
+  std::string refusal;
+  if (!flags.folder.empty() || flags.drawn())
+    refusal = solids_refusal(*model, study.find<PieceSolids>(progress));
+  if (!flags.folder.empty() && refusal.empty()) write_pieces(study, flags.folder, flags.as_3mf, progress);
+  if (!flags.image.empty()) write_picture(flags, study, *context, progress);
+  if (flags.report.any()) {
+    const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
+    write_reports(flags.report, report::pieces_report(for_report, study), console);
+  }
   put_report(
-      console, flags.part.json, [&] { return pieces_json(*model, result); },
+      console, flags.part.json, [&] { return pieces_json(study, progress); },
       [&] {
-        return to_text(report::pieces_report({model, progress}, result), {.colour = console.colour()});
+        return to_text(report::pieces_report({model, progress}, study), {.colour = console.colour()});
       });
-  return 0;
+  if (flags.folder.empty() || refusal.empty()) return 0;
+  console.failure(refusal);
+  return k_criterion_failed;
 }
 
 void add_pieces_command(CLI::App& program, Request& request) {
@@ -65,7 +102,20 @@ void add_pieces_command(CLI::App& program, Request& request) {
                 {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
                  "Write the split part, each facet in the colour of the piece that forms it. In OBJ and GLB, "
                  "each piece is a material"});
-  add_option_flag(*command, option_named(look_options(), "palette"), flags->look);
+  CLI::Option* folder = add_file_flag(
+      *command, flags->folder,
+      {"-o,--out", "DIR",
+       "Write the pieces to this folder as solids: piece_1.stl and so on, named in the order of "
+       "removal"});
+  command->add_flag("--3mf", flags->as_3mf, "Write all pieces to mold.3mf in that folder, too")
+      ->needs(folder);
+  add_option_flags(*command, pieces_solid_options(), flags->mold);
+  add_report_flags(*command, flags->report, request);
+  CLI::Option* image =
+      add_file_flag(*command, flags->image,
+                    {"--image", "FILE.png", "Write a picture of the part between the opened pieces"});
+  add_size_flag(*command, flags->still.size, "Width and height of the picture in pixels")->needs(image);
+  add_still_flags(*command, flags->still, image);
   command
       ->add_option(
           "--lines", flags->lines,

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -187,16 +186,17 @@ void write_mold(const std::string& folder, bool as_3mf, const std::string& unit,
     solids.push_back({body.name, &body.mesh});
   }
   if (as_3mf) write_solids_3mf((fs::path(folder) / "mold.3mf").string(), solids, unit);
-  for (const std::string_view kind : {"slide", "insert"}) {
-    const auto many = std::ranges::count_if(
-        mold.bodies, [&](const WrittenBody& body) { return body.name.starts_with(kind); });
-    for (auto k = many + 1;; ++k) {
-      const fs::path former = fs::path(folder) / fmt::format("{}_{}.stl", kind, k);
-      if (!fs::exists(former, error)) break;
-      fs::remove(former, error);
-      if (error)
-        throw FileError(former.string(), "", "is out of date and cannot be removed: " + error.message());
-    }
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().stem().string();
+    const bool numbered = name.find_last_not_of("0123456789_") == name.find('_') - 1;
+    const bool ours =
+        std::ranges::any_of(std::array{"slide_", "insert_", "piece_", "left_"}, [&](const char* kind) {
+          return numbered && name.starts_with(kind) && entry.path().extension() == ".stl";
+        });
+    if (!ours || std::ranges::find(mold.bodies, name, &WrittenBody::name) != mold.bodies.end()) continue;
+    fs::remove(entry.path(), error);
+    if (error)
+      throw FileError(entry.path().string(), "", "is out of date and cannot be removed: " + error.message());
   }
 }
 

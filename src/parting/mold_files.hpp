@@ -21,7 +21,7 @@ namespace moldlight {
                                        const glm::dvec3& at);
 
 /// Writes each body to <folder>/<name>.stl, making the folder, and with `as_3mf` all of them to
-/// <folder>/mold.3mf. Inserts of a former run that are no more go. Throws FileError.
+/// <folder>/mold.3mf. Slides, inserts and pieces of a former run that are no more go. Throws FileError.
 void write_mold(const std::string& folder, bool as_3mf, const std::string& unit, WrittenMold& mold);
 
 }  // namespace moldlight

@@ -49,6 +49,16 @@ glm::dmat4 to_part_of(const MoldHalves& halves) {
   return {{frame.x, 0.0}, {frame.y, 0.0}, {frame.z, 0.0}, {halves.scale * halves.centre, 1.0}};
 }
 
+TriangleMesh in_mold(const MoldHalves& halves, TriangleMesh part, double diagonal) {
+  for (glm::dvec3& vertex : part.vertices) vertex = halves.frame.to_mold(vertex - halves.centre) / diagonal;
+  return part;
+}
+
+TriangleMesh unscaled(const MoldHalves& halves, TriangleMesh body, double diagonal) {
+  for (glm::dvec3& vertex : body.vertices) vertex /= halves.scale * diagonal;
+  return body;
+}
+
 glm::dvec3 insert_place(const MoldHalves& halves, std::size_t insert) {
   return halves.centre + halves.frame.to_part(bounds(halves.inserts[insert].mesh).center() / halves.scale);
 }

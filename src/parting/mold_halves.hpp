@@ -156,6 +156,11 @@ struct MoldHalves {
 /// Takes coordinates of the files to the part's, whose origin is where it is enlarged from for shrinkage.
 [[nodiscard]] glm::dmat4 to_part_of(const MoldHalves& halves);
 
+/// The part's mesh, of this diagonal, in the mold's frame about its centre, in diagonals; and a body's,
+/// likewise, without the shrinkage.
+[[nodiscard]] TriangleMesh in_mold(const MoldHalves& halves, TriangleMesh part, double diagonal);
+[[nodiscard]] TriangleMesh unscaled(const MoldHalves& halves, TriangleMesh body, double diagonal);
+
 /// The middle of the box around an insert, in the part's coordinates and without the shrinkage.
 [[nodiscard]] glm::dvec3 insert_place(const MoldHalves& halves, std::size_t insert);
 

@@ -40,8 +40,10 @@ struct Tried {
 class PieceMaker {
  public:
   PieceMaker(const PiecesWish& wish, const Progress& progress)
-      : wish_(wish), progress_(progress), part_(in_mold(wish.model.part.mesh)) {
-    for (const MoldBody& insert : wish.plain.inserts) inserts_.push_back(unscaled(insert.mesh));
+      : wish_(wish),
+        progress_(progress),
+        part_(in_mold(wish.plain, wish.model.part.mesh, wish.model.frame.diagonal)) {
+    for (const MoldBody& insert : wish.plain.inserts) inserts_.push_back(as_in_part(insert.mesh));
     of_plain_ = actions_of_inserts(wish.plain, wish.split, wish.plan);
   }
 
@@ -74,14 +76,8 @@ class PieceMaker {
   }
 
  private:
-  [[nodiscard]] TriangleMesh in_mold(TriangleMesh mesh) const {
-    for (glm::dvec3& vertex : mesh.vertices)
-      vertex = wish_.plain.frame.to_mold(vertex - wish_.plain.centre) / wish_.model.frame.diagonal;
-    return mesh;
-  }
-  [[nodiscard]] TriangleMesh unscaled(TriangleMesh mesh) const {
-    for (glm::dvec3& vertex : mesh.vertices) vertex /= wish_.plain.scale * wish_.model.frame.diagonal;
-    return mesh;
+  [[nodiscard]] TriangleMesh as_in_part(const TriangleMesh& body) const {
+    return unscaled(wish_.plain, body, wish_.model.frame.diagonal);
   }
   [[nodiscard]] glm::dvec3 way_of(std::size_t action) const {
     glm::dvec3 way = wish_.plain.frame.to_mold(wish_.plan.actions[action].direction);
@@ -170,7 +166,7 @@ class PieceMaker {
     if (piece == halves.inserts.end()) return "nothing of it is left beside the part";
     if (piece->blanks.size() > 1) return "it runs into another slide";
     const std::size_t number = static_cast<std::size_t>(piece - halves.inserts.begin());
-    const TriangleMesh mesh = unscaled(piece->mesh);
+    const TriangleMesh mesh = as_in_part(piece->mesh);
     const glm::dvec3 way = way_of(tried[blank].action);
     std::string in_way;
     const auto looked_at = [&](const TriangleMesh& still, std::string_view name) {
@@ -181,11 +177,11 @@ class PieceMaker {
       in_way = fmt::format("{} stands in its way, near {}", name, FigureStyle(wish_.model).point(place));
     };
     looked_at(part_, "the part");
-    looked_at(unscaled(halves.core.mesh), "the core");
-    looked_at(unscaled(halves.cavity.mesh), "the cavity");
+    looked_at(as_in_part(halves.core.mesh), "the core");
+    looked_at(as_in_part(halves.cavity.mesh), "the cavity");
     for (std::size_t k = 0; k < halves.inserts.size(); ++k) {
       if (k != number)
-        looked_at(unscaled(halves.inserts[k].mesh),
+        looked_at(as_in_part(halves.inserts[k].mesh),
                   halves.inserts[k].blanks.empty() ? "an insert" : "another slide");
     }
     if (!in_way.empty()) return in_way;

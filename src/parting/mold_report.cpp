@@ -28,14 +28,8 @@ Json loop_json(const PartingLoop& loop) {
   return json;
 }
 
-Json body_json(const WrittenBody& body) {
-  Json json = {{"file", body.file.empty() ? Json() : Json(body.file)}};
-  put_figures(found_figures(written_figures(), body), json);
-  return json;
-}
-
 Json half_json(const WrittenBody& written, const MoldBody& body) {
-  Json json = body_json(written);
+  Json json = written_body_json(written);
   json["undercut"] = written.undercut;
   json["crossed_facets"] = body.crossed_facets;
   json["crossed_at"] = body.crossed_at ? point_json(*body.crossed_at) : Json();
@@ -144,15 +138,6 @@ Json piece_json(const MoldReport& report, std::size_t number) {
   return json;
 }
 
-/// Rows of 4 x 4 numbers.
-Json transform_json(const MoldHalves& halves) {
-  const glm::dmat4 transform = to_part_of(halves);
-  Json rows = Json::array();
-  for (int row = 0; row < 4; ++row)
-    rows.push_back({transform[0][row], transform[1][row], transform[2][row], transform[3][row]});
-  return rows;
-}
-
 /// Halves, surfaces, inserts; null where there are none.
 void add_halves(const MoldReport& report, Json& json) {
   const MoldHalves& halves = report.halves;
@@ -179,10 +164,10 @@ void add_halves(const MoldReport& report, Json& json) {
        {"missed",
         {{"leaning", missed_json(halves.missed_leaning)}, {"upright", missed_json(halves.missed_upright)}}}});
   json["made"] = made_text(report);
-  json["transform"] = transform_json(halves);
+  json["transform"] = mold_transform_json(halves);
   for (std::size_t k = 0; k < written.bodies.size(); ++k) json["pieces"].push_back(piece_json(report, k));
   for (std::size_t k = 0; k + 2 < written.bodies.size(); ++k) {
-    Json insert = body_json(written.bodies[k + 2]);
+    Json insert = written_body_json(written.bodies[k + 2]);
     insert["place"] = point_json(insert_place(halves, k));
     if (report.pieces != nullptr) add_actions(*report.plan, report.pieces->of_inserts[k], insert);
     json["inserts"].push_back(std::move(insert));
@@ -221,6 +206,20 @@ void add_piece_remarks(const ActionPlan& plan, const MoldPieces& pieces, std::ve
 }
 
 }  // namespace
+
+Json written_body_json(const WrittenBody& body) {
+  Json json = {{"file", body.file.empty() ? Json() : Json(body.file)}};
+  put_figures(found_figures(written_figures(), body), json);
+  return json;
+}
+
+Json mold_transform_json(const MoldHalves& halves) {
+  const glm::dmat4 transform = to_part_of(halves);
+  Json rows = Json::array();
+  for (int row = 0; row < 4; ++row)
+    rows.push_back({transform[0][row], transform[1][row], transform[2][row], transform[3][row]});
+  return rows;
+}
 
 std::string loop_near(const PartingLine& line, const glm::dvec3& place) {
   double least = INFINITY;

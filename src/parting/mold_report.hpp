@@ -51,12 +51,17 @@ struct MoldReport {
 /// degrees.
 [[nodiscard]] Json mold_json(const MoldReport& report);
 
+/// A body's file and figures; and rows of 4 x 4 numbers, from the coordinates of the files to the part's.
+[[nodiscard]] Json written_body_json(const WrittenBody& body);
+[[nodiscard]] Json mold_transform_json(const MoldHalves& halves);
+
 /// What a toolmaker wants to know of the halves beside their figures, with its place: a sentence each.
 [[nodiscard]] std::vector<std::string> halves_remarks(const MoldReport& report);
 
-/// What accounts for loops that are fewer or more than the part's handles ask for; empty where they are as
 /// How many facets of the halves are too thin for a milling machine's file, and where; empty where none is.
 [[nodiscard]] std::string needles_text(const PartModel& model, const MoldHalves& halves);
+
+/// What accounts for loops that are fewer or more than the part's handles ask for; empty where they are as
 /// many.
 [[nodiscard]] std::string difference_text(const EulerCheck& euler);
 

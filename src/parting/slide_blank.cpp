@@ -29,7 +29,10 @@ constexpr double k_overlap = 1.1e-3;
 constexpr std::size_t k_section_lines = 64, k_most_steps = 1500, k_exit_lines = 150;
 
 WayFrame frame_along(const glm::dvec3& way) {
-  return {glm::dvec3(-way.y, way.x, 0.0), glm::dvec3(0.0, 0.0, 1.0), way};
+  if (way.z == 0.0) return {glm::dvec3(-way.y, way.x, 0.0), glm::dvec3(0.0, 0.0, 1.0), way};
+  const glm::dvec3 across =
+      way.x == 0.0 && way.y == 0.0 ? glm::dvec3(1, 0, 0) : glm::normalize(glm::dvec3(-way.y, way.x, 0.0));
+  return {across, glm::cross(way, across), way};
 }
 
 /// Between what heights along the way the blank has to begin at a place of its section.

@@ -23,6 +23,9 @@ namespace {
 
 /// What an area costs at a later direction, as a share of it in diagonals: it decides between equals.
 constexpr double k_later = 1e-3;
+/// Likewise, at a direction beside an opposite pair: a strip a twentieth of the diagonal wide costs its
+/// length, so that the halves form what they can.
+constexpr double k_beside_pair = 20.0;
 constexpr int k_most_expansions = 4;
 /// Of the surface: what is left over in smaller patches goes to any direction.
 constexpr double k_speck_share = 1e-5;
@@ -81,6 +84,7 @@ class Labelling {
             ReleasedMesh released)
       : model_(model),
         directions_(directions),
+        pair_(opposite_pair(directions)),
         count_(static_cast<std::uint32_t>(directions.size())),
         mesh_(std::move(released.mesh)),
         may_(std::move(released.released_by)),
@@ -116,7 +120,8 @@ class Labelling {
 
   const PartModel& model_;
   std::span<const glm::dvec3> directions_;
-  std::uint32_t count_;  // of the directions; as a label: left over
+  std::optional<std::pair<std::size_t, std::size_t>> pair_;  // of them
+  std::uint32_t count_;                                      // of the directions; as a label: left over
   SplitMesh mesh_;
   std::vector<std::uint32_t> may_;  // directions that may form each piece, as bits
   PieceEdges edges_;
@@ -147,7 +152,9 @@ void Labelling::leave_over() {
 double Labelling::cost_at(PieceIndex piece, std::uint32_t label) const {
   const double sine = glm::dot(normal(piece), directions_[label]);
   const double against = sine < -k_least_reverse_sine ? k_draft_weight * -sine : 0.0;
-  return areas_[piece] / model_.frame.diagonal * (against + k_later * static_cast<double>(label));
+  const bool beside = pair_ && label != pair_->first && label != pair_->second;
+  return areas_[piece] / model_.frame.diagonal *
+         (against + k_later * static_cast<double>(label) + (beside ? k_beside_pair : 0.0));
 }
 
 /// Pieces that may keep their label (side 1) or take this one (side 0).
@@ -312,6 +319,15 @@ FormedSurface Labelling::surface() && {
 }
 
 }  // namespace
+
+std::optional<std::pair<std::size_t, std::size_t>> opposite_pair(std::span<const glm::dvec3> directions) {
+  for (std::size_t a = 0; a < directions.size(); ++a) {
+    for (std::size_t b = a + 1; b < directions.size(); ++b) {
+      if (glm::dot(directions[a], directions[b]) < -1.0 + 1e-12) return std::pair(a, b);
+    }
+  }
+  return std::nullopt;
+}
 
 FormedSurface form_surface(const PartModel& model, const ExactQuery& query,
                            std::span<const glm::dvec3> directions, const Progress& progress) {

@@ -2,8 +2,11 @@
 // each a minimum cut, so that the seams between the mold's pieces are short and run along creases.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -38,9 +41,14 @@ struct FormedSurface {
   std::vector<PieceSeam> seams;          // by directions, the longest first
 };
 
+/// The first two of the directions that are opposite to each other, the earlier one first.
+[[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> opposite_pair(
+    std::span<const glm::dvec3> directions);
+
 /// Directions are unit; at most 31 of them. Of the query the direction does not count. Surface that several
 /// release goes where the seams cost least: half their length along creases; walls that lean against a
-/// direction by less than tau cost extra, and slightly the later one of directions. Throws Cancelled.
+/// direction by less than tau cost extra, as does what a direction forms beside an opposite pair, and
+/// slightly the later one of directions. Throws Cancelled.
 [[nodiscard]] FormedSurface form_surface(const PartModel& model, const ExactQuery& query,
                                          std::span<const glm::dvec3> directions, const Progress& progress);
 

@@ -4,21 +4,25 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <nlohmann/json.hpp>
 
 #include "actions/actions_files.hpp"
 #include "base/numbers.hpp"
 #include "classify/classify_report.hpp"
+#include "classify/figure_table.hpp"
 #include "classify/method_options.hpp"
 #include "classify/number_format.hpp"
 #include "classify/option_json.hpp"
 #include "io/mesh_writer.hpp"
 #include "mold/direction.hpp"
 #include "parting/line_files.hpp"
+#include "parting/mold_report.hpp"
 
 namespace moldlight {
 
@@ -33,7 +37,7 @@ std::string number_word(std::size_t number) {
 
 bool has_pair(const PiecesResult& result) {
   return result.count() == 2 &&
-         glm::dot(result.directions[0].direction, result.directions[1].direction) < -1.0 + 1e-12;
+         opposite_pair(std::array{result.directions[0].direction, result.directions[1].direction});
 }
 
 std::string names_of(const PiecesResult& result) {
@@ -49,6 +53,44 @@ Json settings_json(const PiecesResult& result, double diagonal) {
   for (const glm::dvec3& direction : result.settings.proposed)
     settings["directions"].push_back(point_json(direction));
   return settings;
+}
+
+/// When a body is removed: the halves first, then direction by direction; 0 for what stays.
+std::size_t sequence_of(const PieceSolids& solids, std::size_t body) {
+  if (body < 2) return 1;
+  if (!solids.solids[body].direction) return 0;
+  std::set<std::size_t> before;
+  for (std::size_t k = 2; k < solids.solids.size(); ++k) {
+    if (solids.solids[k].direction < solids.solids[body].direction)
+      before.insert(*solids.solids[k].direction);
+  }
+  return 2 + before.size();
+}
+
+Json solids_json(const PieceSolids& solids) {
+  const MoldHalves& halves = solids.halves;
+  Json refused, bodies = Json::array();
+  if (!solids.refusal.empty()) {
+    refused = {{"why", solids.refusal},
+               {"place", solids.refused_at ? point_json(*solids.refused_at) : Json()}};
+  }
+  for (std::size_t k = 0; k < solids.solids.size(); ++k) {
+    const auto& [direction, travel] = solids.solids[k];
+    Json body = written_body_json(halves.written.bodies[k]);
+    const std::size_t sequence = sequence_of(solids, k);
+    body.update({{"name", halves.written.bodies[k].name},
+                 {"order", direction ? Json(*direction + 1) : Json()},
+                 {"direction", direction ? point_json(solids.directions[*direction]) : Json()},
+                 {"travel", direction ? Json(travel) : Json()},
+                 {"sequence", sequence > 0 ? Json(sequence) : Json()}});
+    bodies.push_back(std::move(body));
+  }
+  const bool made = refused.is_null();
+  return {{"refused", refused},
+          {"bodies", bodies},
+          {"block_volume", made ? Json(halves.block_volume) : Json()},
+          {"volume_gap", made ? Json(halves.volume_gap) : Json()},
+          {"transform", made ? mold_transform_json(halves) : Json()}};
 }
 
 }  // namespace
@@ -106,7 +148,14 @@ Colour piece_colour(std::size_t direction, Palette palette) {
   return action_colour(direction - 2);
 }
 
-Json pieces_json(const PartModel& model, const PiecesResult& result) {
+std::string solids_refusal(const PartModel& model, const PieceSolids& solids) {
+  if (solids.refusal.empty()) return {};
+  const std::string text = "no pieces are written: " + solids.refusal;
+  return solids.refused_at ? text + ", near " + FigureStyle(model).point(*solids.refused_at) : text;
+}
+
+Json pieces_json(const PartModel& model, const PiecesResult& result, const PieceSolids* solids,
+                 const MoldSettings& mold) {
   Json directions = Json::array(), places = Json::array(), seams = Json::array(), pieces = Json::array(),
        open = Json::array();
   for (std::size_t k = 0; k < result.count(); ++k) {
@@ -136,9 +185,11 @@ Json pieces_json(const PartModel& model, const PiecesResult& result) {
     open.push_back({{"direction", point_json(cell.direction)}, {"radius_deg", cell.radius_deg}});
   Json air;
   if (result.enclosed_air) air = {{"volume", *result.enclosed_air}, {"error", result.enclosed_error}};
+  Json settings = settings_json(result, model.frame.diagonal);
+  if (solids != nullptr) settings.update(options_json(pieces_solid_options(), mold));
   return {{"schema", "moldlight.pieces/1"},
           {"part", part_json(model, model.warnings)},
-          {"settings", settings_json(result, model.frame.diagonal)},
+          {"settings", settings},
           {"verdict", {{"state", pieces_state(result)}, {"sentence", pieces_sentence(model, result)}}},
           {"directions", directions},
           {"count", result.count()},
@@ -149,8 +200,47 @@ Json pieces_json(const PartModel& model, const PiecesResult& result) {
           {"left", {{"area", result.left_area}, {"places", places}}},
           {"seams", seams},
           {"pieces", pieces},
+          {"solids", solids == nullptr ? Json() : solids_json(*solids)},
           {"void", air},
           {"elapsed_s", result.elapsed_s}};
+}
+
+Classification formed_part(const PartModel& model, const PiecesResult& result) {
+  Classification shown;
+  shown.direction = result.directions.empty() ? glm::dvec3(0, 0, 1) : result.directions.front().direction;
+  shown.total_area = model.geometry.total_area;
+  auto split = std::make_shared<SplitMesh>(result.formed.mesh);
+  for (std::size_t k = 0; k < split->pieces.size(); ++k) {
+    const std::uint32_t by = result.formed.formed_by[k];
+    split->pieces[k].region = by == 0 ? Region::core : by == 1 ? Region::cavity : Region::undercut;
+  }
+  shown.split = std::move(split);
+  return shown;
+}
+
+std::vector<StillBody> pulled_pieces(const PartModel& model, const PieceSolids& solids, Palette palette) {
+  constexpr double k_gap = 0.15;  // beside the part, in diagonals
+  const MoldHalves& halves = solids.halves;
+  std::vector<StillBody> bodies;
+  for (std::size_t k = 0; k < solids.solids.size(); ++k) {
+    const auto& [direction, travel] = solids.solids[k];
+    StillBody body{.mesh = (k == 0   ? halves.core
+                            : k == 1 ? halves.cavity
+                                     : halves.inserts[k - 2])
+                               .mesh,
+                   .colour = region_colour(Region::undercut, palette),
+                   .label = halves.written.bodies[k].name};
+    std::ranges::replace(body.label, '_', ' ');
+    for (glm::dvec3& vertex : body.mesh.vertices)
+      vertex = halves.centre + halves.frame.to_part(vertex / halves.scale);
+    if (direction) {
+      const double away = travel + k_gap * model.frame.diagonal;
+      body.motion = glm::translate(body.motion, away * solids.directions[*direction]);
+      body.colour = piece_colour(*direction, palette);
+    }
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
 }
 
 void write_pieces_mesh(const std::string& path, const PartModel& model, const PiecesResult& result,

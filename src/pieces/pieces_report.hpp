@@ -5,7 +5,9 @@
 
 #include "classify/json.hpp"
 #include "classify/part_model.hpp"
+#include "classify/still_picture.hpp"
 #include "pieces/find_pieces.hpp"
+#include "pieces/piece_solids.hpp"
 
 namespace moldlight {
 
@@ -20,8 +22,19 @@ namespace moldlight {
 /// Colour of a piece on the part: the first two are those of core and cavity.
 [[nodiscard]] Colour piece_colour(std::size_t direction, Palette palette);
 
-/// Schema `moldlight.pieces/1`. Lengths, areas and volumes are in the part's unit.
-[[nodiscard]] Json pieces_json(const PartModel& model, const PiecesResult& result);
+/// "no pieces are written: …, near 1, 2, 3"; empty where there are solids.
+[[nodiscard]] std::string solids_refusal(const PartModel& model, const PieceSolids& solids);
+
+/// Schema `moldlight.pieces/1`; `solids` null where they were not asked for. Lengths, areas and volumes are
+/// in the part's unit.
+[[nodiscard]] Json pieces_json(const PartModel& model, const PiecesResult& result,
+                               const PieceSolids* solids = nullptr, const MoldSettings& mold = {});
+
+/// The part in the colours of core, cavity and undercut: what the first two directions and the others form.
+[[nodiscard]] Classification formed_part(const PartModel& model, const PiecesResult& result);
+/// The solids in the part's coordinates, without the shrinkage, beside the part; none where there are none.
+[[nodiscard]] std::vector<StillBody> pulled_pieces(const PartModel& model, const PieceSolids& solids,
+                                                   Palette palette);
 
 /// The part with each facet in the colour of the piece that forms it, by the extension (write_grouped_mesh).
 void write_pieces_mesh(const std::string& path, const PartModel& model, const PiecesResult& result,

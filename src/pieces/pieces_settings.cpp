@@ -27,6 +27,17 @@ std::span<const Option<MethodSettings>> pieces_method_options() {
   return k_options;
 }
 
+std::span<const Option<MoldSettings>> pieces_solid_options() {
+  static const std::vector<Option<MoldSettings>> k_options = [] {
+    std::vector<Option<MoldSettings>> options;
+    for (const std::string_view key :
+         {"margin", "shrink_pct", "ramp_deg", "land", "slope_deg", "registration"})
+      options.push_back(option_named(mold_options(), key));
+    return options;
+  }();
+  return k_options;
+}
+
 void validate(const PiecesSettings& settings) {
   if (settings.fixed.size() > static_cast<std::size_t>(settings.most))
     throw UsageError(fmt::format("--fixed: {} directions are more than the {} of --max",

@@ -8,6 +8,7 @@
 
 #include "classify/method_options.hpp"
 #include "classify/option.hpp"
+#include "parting/mold_settings.hpp"
 
 namespace moldlight {
 
@@ -24,6 +25,9 @@ struct PiecesSettings {
 
 /// Those of the method that count: tau and the lateral tolerance.
 [[nodiscard]] std::span<const Option<MethodSettings>> pieces_method_options();
+
+/// Those of the mold that count for the pieces as solids: block, ramps, shrinkage.
+[[nodiscard]] std::span<const Option<MoldSettings>> pieces_solid_options();
 
 /// Throws UsageError for more fixed directions than there may be at all.
 void validate(const PiecesSettings& settings);

@@ -143,6 +143,24 @@ std::shared_ptr<const PiecesResult> Asked<PiecesResult>::find(Study& study, cons
   return shared(find_pieces(study.model(), asked.query.method, asked.pieces, progress));
 }
 
+Asked<PieceSolids>::Inputs Asked<PieceSolids>::inputs(const Study& study) {
+  return {Asked<PiecesResult>::inputs(study), of_solids(study.questions().mold)};
+}
+std::shared_ptr<const PieceSolids> Asked<PieceSolids>::find(Study& study, const Progress& progress) {
+  const PiecesResult& result = study.find<PiecesResult>(progress);
+  PieceSolids first;
+  first.refusal = "no direction releases any of the surface";
+  for (const std::size_t along : halves_directions(result)) {
+    Questions of_halves = study.questions();
+    of_halves.query.direction = result.directions[along].direction;
+    MoldHalves halves = Study(study.shared_model(), std::move(of_halves)).find<MoldHalves>(progress);
+    PieceSolids solids = piece_solids(study.model(), result, along, std::move(halves), progress);
+    if (solids.refusal.empty()) return shared(std::move(solids));
+    if (first.directions.empty()) first = std::move(solids);
+  }
+  return shared(std::move(first));
+}
+
 Asked<DraftCheck>::Inputs Asked<DraftCheck>::inputs(const Study& study) {
   return {Asked<MoldLine>::inputs(study), study.questions().draft()};
 }
@@ -259,7 +277,14 @@ Json mold_json(Study& study, const Progress& progress) {
 }
 
 Json pieces_json(Study& study, const Progress& progress) {
-  return pieces_json(study.model(), study.find<PiecesResult>(progress));
+  const auto solids = study.known<PieceSolids>();
+  return pieces_json(study.model(), study.find<PiecesResult>(progress), solids.get(), study.questions().mold);
+}
+
+void write_pieces(Study& study, const std::string& folder, bool as_3mf, const Progress& progress) {
+  PieceSolids solids = study.find<PieceSolids>(progress);
+  write_mold(folder, as_3mf, study.model().part.unit, solids.halves.written);
+  study.keep(std::make_shared<const PieceSolids>(std::move(solids)));
 }
 
 Json sweep_json(Study& study, const Progress& progress) {

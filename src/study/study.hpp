@@ -21,6 +21,7 @@
 #include "parting/mold_pieces.hpp"
 #include "parting/mold_report.hpp"
 #include "pieces/find_pieces.hpp"
+#include "pieces/piece_solids.hpp"
 #include "study/verdict.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep/sweep_report.hpp"
@@ -124,6 +125,12 @@ struct Asked<PiecesResult> {
   static std::shared_ptr<const PiecesResult> find(Study& study, const Progress& progress);
 };
 template <>
+struct Asked<PieceSolids> {
+  using Inputs = std::pair<Asked<PiecesResult>::Inputs, MoldSettings>;
+  static Inputs inputs(const Study& study);
+  static std::shared_ptr<const PieceSolids> find(Study& study, const Progress& progress);
+};
+template <>
 struct Asked<DraftCheck> {
   using Inputs = std::pair<Asked<MoldLine>::Inputs, DraftDemand>;
   static Inputs inputs(const Study& study);
@@ -175,7 +182,7 @@ class Study {
   Questions questions_;
   std::tuple<Kept<Classification>, Kept<SplitRegions>, Kept<UndercutTotals>, Kept<ActionPlan>, Kept<Changes>,
              Kept<MoldLine>, Kept<MoldHalves>, Kept<MoldPieces>, Kept<SweepResult>, Kept<PiecesResult>,
-             Kept<DraftCheck>>
+             Kept<PieceSolids>, Kept<DraftCheck>>
       kept_;
 };
 
@@ -202,7 +209,10 @@ void keep_written(Study& study, WrittenMold written, const Progress& progress);
 [[nodiscard]] Json actions_json(Study& study, const Progress& progress);
 /// Schema `moldlight.mold/2`.
 [[nodiscard]] Json mold_json(Study& study, const Progress& progress);
-/// Schema `moldlight.pieces/1`.
+/// Writes the solids and keeps where they are. Throws FileError.
+void write_pieces(Study& study, const std::string& folder, bool as_3mf, const Progress& progress);
+
+/// Schema `moldlight.pieces/1`; with the solids where they are known.
 [[nodiscard]] Json pieces_json(Study& study, const Progress& progress);
 /// Schema `moldlight.sweep/3`: each direction's verdict, and that of the first.
 [[nodiscard]] Json sweep_json(Study& study, const Progress& progress);

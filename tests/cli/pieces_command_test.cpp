@@ -1,6 +1,8 @@
 // What `moldlight pieces` prints, writes and refuses.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -77,6 +79,40 @@ TEST(PiecesCommand, WritesThePartInColoursAndTheSeamsAsLines) {
   EXPECT_NE(test::file_bytes(part.output("seams.step")).find("seams of mold pieces"), std::string::npos);
   EXPECT_NE(test::file_bytes(part.output("seams.csv")).find("1,seam,"), std::string::npos);
   EXPECT_NE(test::file_bytes(part.output("seams.step")).find("POLYLINE('seam'"), std::string::npos);
+}
+
+TEST(PiecesCommand, WritesSolidsAndAPictureOfThem) {
+  const SmallPart part;
+  const std::string folder = part.output("mold");
+  std::filesystem::create_directories(folder);
+  for (const std::string name : {"piece_9.stl", "piece_3_7.stl", "left_1.stl", "piece_mine.stl"})
+    std::ofstream(folder + "/" + name) << "old";
+  const auto run = run_moldlight({"pieces", part.file(), "--out", folder, "--3mf", "--shrink", "1", "--image",
+                                  part.output("pieces.png"), "--size", "320x200", "--html",
+                                  part.output("pieces.html"), "--json", part.output("pieces.json")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = json_of(test::file_bytes(part.output("pieces.json")));
+  ASSERT_GE(json["solids"]["bodies"].size(), 2U);
+  double volume = json["part"]["volume"].get<double>() / std::pow(0.99, 3.0);
+  std::set<std::string> files;
+  for (const auto& body : json["solids"]["bodies"]) {
+    EXPECT_TRUE(body["closed"]);
+    EXPECT_EQ(body["file"], folder + "/" + body["name"].get<std::string>() + ".stl");
+    EXPECT_GT(test::file_bytes(body["file"]).size(), 84U);
+    files.insert(std::filesystem::path(body["file"].get<std::string>()).filename());
+    volume += body["volume"].get<double>();
+  }
+  const double block = json["solids"]["block_volume"];
+  EXPECT_NEAR(volume, block, 1e-6 * block);
+  // What a former run left is gone, what it did not write stays.
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    EXPECT_TRUE(files.contains(name) || name == "mold.3mf" || name == "piece_mine.stl") << name;
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder + "/piece_mine.stl"));
+  EXPECT_NE(run.out.find("Pieces as solids"), std::string::npos) << run.out;
+  EXPECT_TRUE(test::file_bytes(part.output("pieces.png")).starts_with("\x89PNG"));
+  EXPECT_NE(test::file_bytes(part.output("pieces.html")).find("Open the mold"), std::string::npos);
 }
 
 TEST(PiecesCommand, TakesDirectionsOfTheUser) {

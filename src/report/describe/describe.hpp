@@ -9,7 +9,6 @@
 #include "classify/still_picture.hpp"
 #include "compare/comparison.hpp"
 #include "compare/criteria.hpp"
-#include "pieces/find_pieces.hpp"
 #include "report/report.hpp"
 #include "study/study.hpp"
 
@@ -36,9 +35,8 @@ struct ReportContext {
 [[nodiscard]] Report actions_report(const ReportContext& context, Study& study);
 [[nodiscard]] Report mold_report(const ReportContext& context, Study& study);
 [[nodiscard]] Report sweep_report(const ReportContext& context, Study& study);
-
-/// Of the context's model.
-[[nodiscard]] Report pieces_report(const ReportContext& context, const PiecesResult& result);
+/// With the solids where they are known.
+[[nodiscard]] Report pieces_report(const ReportContext& context, Study& study);
 
 /// What was asked of the figures of a comparison.
 struct CriteriaShown {

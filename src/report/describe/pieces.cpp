@@ -1,6 +1,8 @@
 // The report of a mold of several pieces.
 #include <algorithm>
+#include <filesystem>
 #include <map>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -96,9 +98,105 @@ Section seams_section(const ReportContext& context, const PiecesResult& result) 
   return section;
 }
 
+Section solids_section(const ReportContext& context, const PiecesResult& result, const PieceSolids& solids) {
+  const PartModel& model = *context.model;
+  const FigureStyle style(model);
+  Section section{"Pieces as solids", {}};
+  if (!solids.refusal.empty()) {
+    section.add(sentence_of(solids_refusal(model, solids)), TextLook::notice);
+    return section;
+  }
+  const MoldHalves& halves = solids.halves;
+  Table table{{{"body", true},
+               {"moves along", true},
+               {style.heading("travel", FigureKind::length)},
+               {style.heading("volume", FigureKind::volume)}},
+              {}};
+  std::vector<std::size_t> order;
+  double left = 0.0;
+  for (std::size_t k = 0; k < solids.solids.size(); ++k) {
+    if (solids.solids[k].direction)
+      order.push_back(k);
+    else
+      left += halves.written.bodies[k].volume;
+  }
+  const std::size_t number_left = solids.solids.size() - order.size();
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) {
+    const std::string& name = halves.written.bodies[k].name;
+    return std::tuple(*solids.solids[k].direction, name.size(), name);
+  });
+  for (const std::size_t k : order) {
+    const auto& [direction, travel] = solids.solids[k];
+    const std::string key = fmt::format("/solids/bodies/{}/", k);
+    table.rows.push_back(
+        {{{halves.written.bodies[k].name},
+          {with_minus(pull_words(solids.directions[*direction]))},
+          number(style, FigureKind::length, key + "travel", travel),
+          number(style, FigureKind::volume, key + "volume", halves.written.bodies[k].volume)},
+         Mark{.colour = piece_colour(*direction, context.palette)}});
+  }
+  section.add(std::move(table));
+  if (solids.directions.size() > result.count())
+    section.add(fmt::format("No two of the directions are opposite, so a piece more opens along {}.",
+                            with_minus(pull_words(solids.directions.back()))),
+                TextLook::notice);
+  if (number_left > 0)
+    section.add(fmt::format("No piece can form {} of {} beside the part ({}). Fill {} in the part.",
+                            plural(number_left, "space"), style.with_unit(FigureKind::volume, left),
+                            number_left == 1 ? "left_1" : fmt::format("left_1 to left_{}", number_left),
+                            number_left == 1 ? "it" : "them"),
+                TextLook::notice);
+  section.add(
+      "The halves are removed first, then the bodies between them in the order of the table. Each was moved "
+      "out past the part and what is still there.",
+      TextLook::quiet);
+  for (const WrittenBody& body : halves.written.bodies)
+    if (!body.file.empty())
+      section.add(context.drawn() ? std::filesystem::path(body.file).filename().string() : body.file,
+                  TextLook::quiet);
+  return section;
+}
+
+/// The part in the colours of its pieces, and these around it.
+ModelView pieces_view(const ReportContext& context, const PiecesResult& result, const PieceSolids& solids,
+                      const Classification& formed) {
+  const UnitFrame& frame = context.model->frame;
+  ModelView view;
+  view.centre = frame.center;
+  view.diagonal = frame.diagonal;
+  view.direction = formed.direction;
+  view.to_viewer =
+      revealing_orientation(*context.model, {&formed.split, 1}, formed.direction) * glm::dvec3(0, 0, 1);
+  view.opens = "Open the mold";
+  view.opened = 1.0;
+  for (std::size_t k = 0; k < result.count(); ++k)
+    view.groups.push_back({.name = fmt::format("Part: piece {}", k + 1),
+                           .aside = share_text(result.directions[k].area, context.model->geometry.total_area),
+                           .colour = piece_colour(k, context.palette),
+                           .stays_opaque = true});
+  view.groups.push_back({.name = result.left_area > 0.0 ? "Part: left over" : "",
+                         .colour = region_colour(Region::undercut, context.palette),
+                         .hatched = true,
+                         .stays_opaque = true});
+  ViewSurface part{piece_mesh(result.formed.mesh), {}};
+  for (const std::uint32_t by : result.formed.formed_by)
+    part.group_of_facet.push_back(static_cast<std::uint16_t>(by));
+  view.surfaces.push_back(std::move(part));
+  for (StillBody& body : pulled_pieces(*context.model, solids, context.palette)) {
+    const std::vector<std::uint16_t> groups(body.mesh.facets.size(),
+                                            static_cast<std::uint16_t>(view.groups.size()));
+    view.surfaces.push_back({std::move(body.mesh), groups});
+    view.groups.push_back(
+        {.name = std::move(body.label), .colour = body.colour, .shift = glm::dvec3(body.motion[3])});
+  }
+  return view;
+}
+
 }  // namespace
 
-Report pieces_report(const ReportContext& context, const PiecesResult& result) {
+Report pieces_report(const ReportContext& context, Study& study) {
+  const PiecesResult& result = study.find<PiecesResult>(context.progress);
+  const auto solids = study.known<PieceSolids>();
   const PartModel& model = *context.model;
   const FigureStyle style(model);
   Report report =
@@ -117,12 +215,22 @@ Report pieces_report(const ReportContext& context, const PiecesResult& result) {
     report.lead.push_back(
         fmt::format("{} {} of space beside the part is hidden along all of them, so no piece can fill it.",
                     style.text(FigureKind::volume, *result.enclosed_air), style.unit(FigureKind::volume)));
+  if (context.drawn() && solids && result.count() > 0) {
+    const Classification formed = formed_part(model, result);
+    const auto bodies = pulled_pieces(model, *solids, context.palette);
+    report.still = {Illustrator(context, formed).whole({}, bodies),
+                    {},
+                    "The part in the colours of its pieces, between the opened pieces",
+                    view_caption()};
+    report.view = pieces_view(context, result, *solids, formed);
+  }
   if (result.count() > 0) report.sections.push_back(directions_section(context, result));
+  if (solids) report.sections.push_back(solids_section(context, result, *solids));
   if (result.left_area > 1e-4 * model.geometry.total_area)
     report.sections.push_back(left_section(context, result));
   if (!result.formed.seams.empty()) report.sections.push_back(seams_section(context, result));
   report.sections.push_back(part_section(context, model.warnings));
-  report.sections.push_back(repeat_section(context, pieces_json(model, result)["settings"]));
+  report.sections.push_back(repeat_section(context, pieces_json(study, context.progress)["settings"]));
   return report;
 }
 

@@ -272,13 +272,17 @@ TEST(Pieces, ABoxHasOneSeamOnItsEdges) {
 /// can be shorter. Beside a piece that is settled already a seam costs as much as elsewhere.
 TEST(Pieces, OfManyDirectionsThoseFormABoxThatHaveTheShortestSeam) {
   const auto model = model_of(test::box_shape({}).mesh);
-  const std::array<glm::dvec3, 4> directions = {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1),
-                                                glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)};
+  std::array<glm::dvec3, 4> directions = {glm::dvec3(0, 0, 1), glm::normalize(glm::dvec3(-1, -1, -1)),
+                                          glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)};
   const FormedSurface formed = form_surface(*model, exact_query(*model, {}), directions, Progress());
   double length = 0.0;
   for (const PieceSeam& seam : formed.seams) length += seam.length;
   EXPECT_NEAR(length, 2.0 * (24.3 + 12.1), 1e-9);
   EXPECT_EQ(formed.patches.size(), 2U);
+  // Halves form what they can, however long their seam.
+  directions[1] = glm::dvec3(0, 0, -1);
+  const FormedSurface by_halves = form_surface(*model, exact_query(*model, {}), directions, Progress());
+  EXPECT_LT(std::ranges::max(by_halves.formed_by), 2U);
 }
 
 /// Facets as large as the part that all cross each other.
