@@ -102,11 +102,10 @@ void add_pieces_command(CLI::App& program, Request& request) {
                 {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
                  "Write the split part, each facet in the colour of the piece that forms it. In OBJ and GLB, "
                  "each piece is a material"});
-  CLI::Option* folder = add_file_flag(
-      *command, flags->folder,
-      {"-o,--out", "DIR",
-       "Write the pieces to this folder as solids: piece_1.stl and so on, named in the order of "
-       "removal"});
+  CLI::Option* folder =
+      add_file_flag(*command, flags->folder,
+                    {"-o,--out", "DIR",
+                     "Write the pieces to this folder as solids: piece_1.stl and so on, by their direction"});
   command->add_flag("--3mf", flags->as_3mf, "Write all pieces to mold.3mf in that folder, too")
       ->needs(folder);
   add_option_flags(*command, pieces_solid_options(), flags->mold);

@@ -214,6 +214,11 @@ Classification formed_part(const PartModel& model, const PiecesResult& result) {
     const std::uint32_t by = result.formed.formed_by[k];
     split->pieces[k].region = by == 0 ? Region::core : by == 1 ? Region::cavity : Region::undercut;
   }
+  if (result.directions.empty()) {
+    split->vertices = model.part.mesh.vertices;
+    for (FacetIndex facet = 0; facet < model.part.mesh.facets.size(); ++facet)
+      split->pieces.push_back({model.part.mesh.facets[facet], facet, Region::undercut});
+  }
   shown.split = std::move(split);
   return shown;
 }

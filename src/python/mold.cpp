@@ -9,6 +9,7 @@
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
 #include "python/keywords.hpp"
+#include "python/mold_bodies.hpp"
 #include "python/pages.hpp"
 #include "study/study.hpp"
 
@@ -55,25 +56,10 @@ py::list loops(const PythonMold& self) {
   return list;
 }
 
-py::list bodies_of_mold(const PythonMold& self) {
-  py::list list;
-  for (const WrittenBody& body : self.written().bodies) {
-    const py::tuple mesh = mesh_arrays(body.mesh);
-    list.append(py::dict("name"_a = body.name, "vertices"_a = mesh[0], "faces"_a = mesh[1],
-                         "volume"_a = body.volume, "closed"_a = body.closed));
-  }
-  return list;
-}
-
 py::list write(const PythonMold& self, const py::object& folder_given, bool as_3mf) {
   const std::string folder = path_of(folder_given, "folder");
   if (const std::string refusal = self.refusal(); !refusal.empty()) throw Error(refusal);
-  WrittenMold written = self.written();
-  watch(py::none(), [&](const Progress&) { write_mold(folder, as_3mf, self.model().part.unit, written); });
-  py::list files;
-  for (const WrittenBody& body : written.bodies)
-    if (!body.file.empty()) files.append(to_python(Json(body.file)));
-  return files;
+  return write_bodies(self.written(), folder, as_3mf, self.model().part.unit);
 }
 
 void write_line(const PythonMold& self, const py::object& path_given) {
@@ -82,15 +68,6 @@ void write_line(const PythonMold& self, const py::object& path_given) {
   watch(py::none(), [&](const Progress&) {
     write_lines(path, lines_to_write(self.model(), self.assignment(), self.line()));
   });
-}
-
-/// 4 x 4: from where the bodies are written to the part, enlarged as the mold is.
-py::array frame_of(const PythonMold& self) {
-  const glm::dmat4 numbers = to_part_of(self.halves());
-  py::array_t<double> frame({py::ssize_t{4}, py::ssize_t{4}});
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) *frame.mutable_data(row, column) = numbers[column][row];
-  return frame;
 }
 
 py::object area_of(const PythonMold& self) {
@@ -125,16 +102,18 @@ void add_mold(py::module_& module, PartClass& part) {
       .def_property_readonly(
           "refusal", [](const PythonMold& self) { return with_keywords(self.refusal()); },
           "Why there are no halves; empty if there are halves.")
-      .def_property_readonly("bodies", bodies_of_mold,
-                             "Core, cavity and inserts, as they are written: a dict each with name, "
-                             "vertices, faces, volume and closed. Empty where there are none.")
+      .def_property_readonly(
+          "bodies", [](const PythonMold& self) { return body_dicts(self.written()); },
+          "Core, cavity and inserts, as they are written: a dict each with name, "
+          "vertices, faces, volume and closed. Empty where there are none.")
       .def_property_readonly(
           "in_part_frame", [](const PythonMold& self) { return self.written().part_frame; },
           "The bodies are in the part's own coordinates; else the direction is upward, about the part's "
           "centre.")
-      .def_property_readonly("frame", frame_of,
-                             "4 x 4 float64: takes the bodies' coordinates to the part's, whose origin is "
-                             "where it is enlarged from for shrinkage.")
+      .def_property_readonly(
+          "frame", [](const PythonMold& self) { return mold_frame_array(self.halves()); },
+          "4 x 4 float64: takes the bodies' coordinates to the part's, whose origin is "
+          "where it is enlarged from for shrinkage.")
       .def("write", &write, py::arg("folder"), py::arg("as_3mf") = false,
            "write(self, folder, as_3mf=False)\n--\n\nWrites the bodies to a folder, an STL each, and all of "
            "them to mold.3mf. Returns the files'\nnames. Raises Error where there are no halves to write.")

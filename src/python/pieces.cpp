@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
 #include "pieces/pieces_report.hpp"
+#include "python/mold_bodies.hpp"
 #include "python/pages.hpp"
 #include "study/study.hpp"
 
@@ -13,10 +15,17 @@ using namespace py::literals;
 namespace {
 
 /// moldlight.Pieces.
-struct PythonPieces : StudyAnswer<pieces_json> {
+struct PythonPieces : StudyAnswer<pieces_json, report::pieces_report> {
   using StudyAnswer::StudyAnswer;
 
   [[nodiscard]] const PiecesResult& result() const { return *study.known<PiecesResult>(); }
+  /// Throws Error where they were not asked for.
+  [[nodiscard]] const PieceSolids& solids() const {
+    const auto found = study.known<PieceSolids>();
+    if (!found) throw Error("the pieces were found as surface; call pieces() with solids=True");
+    return *found;
+  }
+  [[nodiscard]] std::string refusal() const { return solids_refusal(model(), solids()); }
 };
 using SharedPieces = std::shared_ptr<PythonPieces>;
 
@@ -25,11 +34,14 @@ SharedPieces pieces(const PythonPart& self, const py::kwargs& keywords) {
   Questions questions;
   given.take(pieces_options(), questions.pieces);
   given.take(pieces_method_options(), questions.query.method);
+  given.take(pieces_solid_options(), questions.mold);
+  const bool with_solids = given.take_switch("solids");
   const py::object progress_given = given.take("progress");
   given.end();
   auto found = watched(progress_given, [&](const Progress& progress) {
     Study study(self.model, questions);
     study.find<PiecesResult>(progress);
+    if (with_solids) study.find<PieceSolids>(progress);
     return std::make_shared<PythonPieces>(std::move(study));
   });
   found->recall = recalled("pieces", self, py::tuple(), keywords);
@@ -44,9 +56,17 @@ py::list seam_lines(const PythonPieces& self) {
   return list;
 }
 
+py::list write_solids(const PythonPieces& self, const py::object& folder, bool as_3mf) {
+  if (const std::string refusal = self.refusal(); !refusal.empty()) throw Error(refusal);
+  return write_bodies(self.solids().halves.written, path_of(folder, "folder"), as_3mf,
+                      self.model().part.unit);
+}
+
 constexpr std::string_view k_pieces_text =
     "Finds the fewest directions of a mold of several pieces, and which piece forms what. Returns a\n"
     "Pieces.\n\n"
+    "solids: make the pieces as solids, too. margin, ramp_deg, land, slope_deg, shrink_pct and registration\n"
+    "are those of their halves.\n"
     "progress: as for Part().";
 
 void add_pieces(py::module_& module, PartClass& part) {
@@ -74,19 +94,37 @@ void add_pieces(py::module_& module, PartClass& part) {
             return view(self.cast<const PythonPieces&>().result().formed.formed_by, self);
           },
           "k uint32: the place in directions that forms each face of mesh(); count where none does.")
+      .def_property_readonly(
+          "refusal", [](const PythonPieces& self) { return self.refusal(); },
+          "Why there are no solids; empty if there are. This and what follows needs solids=True.")
+      .def_property_readonly(
+          "bodies",
+          [](const PythonPieces& self) {
+            return self.refusal().empty() ? body_dicts(self.solids().halves.written) : py::list();
+          },
+          "The solids as they are written: a dict each with name, vertices, faces, volume and closed. Empty "
+          "where there are none.")
+      .def_property_readonly(
+          "frame", [](const PythonPieces& self) { return mold_frame_array(self.solids().halves); },
+          "4 x 4 float64: takes the bodies' coordinates to the part's.")
+      .def("write", &write_solids, py::arg("folder"), py::arg("as_3mf") = false,
+           "write(self, folder, as_3mf=False)\n--\n\nWrites the solids to a folder, an STL each, and all of "
+           "them to mold.3mf. Returns the files'\nnames. Raises Error where there are none.")
       .def("__repr__", [](const PythonPieces& self) {
         return py::str(fmt::format("<moldlight.Pieces: {}>", pieces_sentence(self.model(), self.result())));
       });
   add_result(found, "pieces");
+  add_pages(found);
   part.def("pieces", &pieces,
            call_doc({.name = "pieces",
                      .arguments = "self",
-                     .more = "progress=None",
+                     .more = "solids=False, progress=None",
                      .text = k_pieces_text,
                      .settings = "pieces"}));
 }
 
-const CallSettings k_pieces_settings("pieces", pieces_options(), pieces_method_options());
+const CallSettings k_pieces_settings("pieces", pieces_options(), pieces_method_options(),
+                                     pieces_solid_options());
 const RegisteredCall k_pieces_call(add_pieces);
 
 }  // namespace

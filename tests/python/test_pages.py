@@ -149,11 +149,10 @@ class Pages(unittest.TestCase):
         part = moldlight.Part(*notched(2), unit="mm")
         other = moldlight.Part(*notched(3), unit="mm")
         for found, word in ((part.mold("z"), "Mold"), (part.draft("z", required_draft_deg=1), "Draft"),
-                            (moldlight.compare(part, other, "z"), "gone")):
+                            (moldlight.compare(part, other, "z"), "gone"), (part.pieces(), "Seams")):
             self.assertIn(word, found.to_html(), type(found))
         for made in (moldlight.Actions, moldlight.Sweep):
             self.assertTrue(callable(made.to_html) and callable(made.to_pdf))
-        self.assertFalse(hasattr(moldlight.Pieces, "to_html"))
 
     def test_notebooks(self):
         picture = self.found._repr_png_()

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import os
 import tempfile
 import unittest
 
@@ -62,6 +63,25 @@ class Reports(unittest.TestCase):
         self.assertEqual(len(faces), len(found.piece_of_face))
         self.assertLess(faces.max(), len(vertices))
         self.assertEqual(len(found.seam_lines()), len(found.to_dict()["seams"]))
+        self.assertIsNone(found.to_dict()["solids"])
+        with self.assertRaisesRegex(moldlight.Error, "solids=True"):
+            found.bodies
+
+    def test_pieces_as_solids(self):
+        part = moldlight.Part.read(CLIP, unit="mm")
+        with tempfile.TemporaryDirectory() as folder:
+            found = part.pieces(solids=True, margin=8)
+            files = found.write(folder, as_3mf=True)
+            self.check(found, "pieces", CLIP, "--unit", "mm", "--margin", "8", "--html",
+                       os.path.join(folder, "pieces.html"))
+            self.assertTrue(all(os.path.getsize(name) > 84 for name in files), files)
+            self.assertTrue(os.path.exists(os.path.join(folder, "mold.3mf")))
+        self.assertEqual(found.refusal, "")
+        self.assertEqual([body["name"] for body in found.bodies],
+                         [body["name"] for body in found.to_dict()["solids"]["bodies"]])
+        self.assertTrue(all(body["closed"] for body in found.bodies))
+        self.assertEqual(found.frame.shape, (4, 4))
+        self.assertIn("Open the mold", found.to_html())
 
     def test_classify_by_maps_with_draft(self):
         part = moldlight.Part.read(LID, unit="in", repair="full")

@@ -11,6 +11,7 @@
 #include "base/numbers.hpp"
 #include "mold/direction.hpp"
 #include "pieces/pieces_report.hpp"
+#include "render/view_settings.hpp"
 #include "report/describe/parts.hpp"
 
 namespace moldlight::report {
@@ -123,7 +124,7 @@ Section solids_section(const ReportContext& context, const PiecesResult& result,
   const std::size_t number_left = solids.solids.size() - order.size();
   std::ranges::stable_sort(order, {}, [&](std::size_t k) {
     const std::string& name = halves.written.bodies[k].name;
-    return std::tuple(*solids.solids[k].direction, name.size(), name);
+    return std::tuple(k >= 2, *solids.solids[k].direction, name.size(), name);
   });
   for (const std::size_t k : order) {
     const auto& [direction, travel] = solids.solids[k];
@@ -147,8 +148,7 @@ Section solids_section(const ReportContext& context, const PiecesResult& result,
                             number_left == 1 ? "it" : "them"),
                 TextLook::notice);
   section.add(
-      "The halves are removed first, then the bodies between them in the order of the table. Each was moved "
-      "out past the part and what is still there.",
+      "The bodies are removed from top to bottom. Each moves clear of the part and of what is still there.",
       TextLook::quiet);
   for (const WrittenBody& body : halves.written.bodies)
     if (!body.file.empty())
@@ -158,8 +158,8 @@ Section solids_section(const ReportContext& context, const PiecesResult& result,
 }
 
 /// The part in the colours of its pieces, and these around it.
-ModelView pieces_view(const ReportContext& context, const PiecesResult& result, const PieceSolids& solids,
-                      const Classification& formed) {
+ModelView pieces_view(const ReportContext& context, const PiecesResult& result, const Classification& formed,
+                      std::span<const StillBody> bodies) {
   const UnitFrame& frame = context.model->frame;
   ModelView view;
   view.centre = frame.center;
@@ -167,27 +167,29 @@ ModelView pieces_view(const ReportContext& context, const PiecesResult& result, 
   view.direction = formed.direction;
   view.to_viewer =
       revealing_orientation(*context.model, {&formed.split, 1}, formed.direction) * glm::dvec3(0, 0, 1);
-  view.opens = "Open the mold";
-  view.opened = 1.0;
-  for (std::size_t k = 0; k < result.count(); ++k)
+  view.opens = bodies.empty() ? "Pull the surface apart" : "Open the mold";
+  view.opened = bodies.empty() ? 0.0 : 1.0;
+  for (std::size_t k = 0; k < result.count(); ++k) {
     view.groups.push_back({.name = fmt::format("Part: piece {}", k + 1),
                            .aside = share_text(result.directions[k].area, context.model->geometry.total_area),
                            .colour = piece_colour(k, context.palette),
                            .stays_opaque = true});
+    if (bodies.empty())
+      view.groups.back().shift = k_mold_travel * frame.diagonal * result.directions[k].direction;
+  }
   view.groups.push_back({.name = result.left_area > 0.0 ? "Part: left over" : "",
                          .colour = region_colour(Region::undercut, context.palette),
                          .hatched = true,
                          .stays_opaque = true});
-  ViewSurface part{piece_mesh(result.formed.mesh), {}};
-  for (const std::uint32_t by : result.formed.formed_by)
-    part.group_of_facet.push_back(static_cast<std::uint16_t>(by));
+  ViewSurface part{piece_mesh(*formed.split), std::vector<std::uint16_t>(formed.split->pieces.size(), 0)};
+  std::ranges::transform(result.formed.formed_by, part.group_of_facet.begin(),
+                         [](std::uint32_t by) { return static_cast<std::uint16_t>(by); });
   view.surfaces.push_back(std::move(part));
-  for (StillBody& body : pulled_pieces(*context.model, solids, context.palette)) {
-    const std::vector<std::uint16_t> groups(body.mesh.facets.size(),
-                                            static_cast<std::uint16_t>(view.groups.size()));
-    view.surfaces.push_back({std::move(body.mesh), groups});
-    view.groups.push_back(
-        {.name = std::move(body.label), .colour = body.colour, .shift = glm::dvec3(body.motion[3])});
+  for (const StillBody& body : bodies) {
+    view.surfaces.push_back(
+        {body.mesh, std::vector<std::uint16_t>(body.mesh.facets.size(),
+                                               static_cast<std::uint16_t>(view.groups.size()))});
+    view.groups.push_back({.name = body.label, .colour = body.colour, .shift = glm::dvec3(body.motion[3])});
   }
   return view;
 }
@@ -215,14 +217,15 @@ Report pieces_report(const ReportContext& context, Study& study) {
     report.lead.push_back(
         fmt::format("{} {} of space beside the part is hidden along all of them, so no piece can fill it.",
                     style.text(FigureKind::volume, *result.enclosed_air), style.unit(FigureKind::volume)));
-  if (context.drawn() && solids && result.count() > 0) {
+  if (context.drawn()) {
     const Classification formed = formed_part(model, result);
-    const auto bodies = pulled_pieces(model, *solids, context.palette);
+    std::vector<StillBody> bodies;
+    if (solids) bodies = pulled_pieces(model, *solids, context.palette);
     report.still = {Illustrator(context, formed).whole({}, bodies),
                     {},
-                    "The part in the colours of its pieces, between the opened pieces",
+                    "The part in the colours of its pieces",
                     view_caption()};
-    report.view = pieces_view(context, result, *solids, formed);
+    report.view = pieces_view(context, result, formed, bodies);
   }
   if (result.count() > 0) report.sections.push_back(directions_section(context, result));
   if (solids) report.sections.push_back(solids_section(context, result, *solids));
