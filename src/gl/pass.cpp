@@ -25,6 +25,7 @@ void begin(const Functions& gl, const Pass& pass) {
   constexpr Factors k_blend[] = {{GL_ONE, GL_ZERO, GL_ONE, GL_ZERO},
                                  {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
                                  {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE},
+                                 {GL_ONE_MINUS_DST_ALPHA, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ONE},
                                  {GL_ONE, GL_ONE, GL_ONE, GL_ONE},
                                  {GL_ONE, GL_ONE, GL_ONE, GL_ONE}};
   const Factors& factors = k_blend[static_cast<int>(pass.blend)];

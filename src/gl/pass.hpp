@@ -16,7 +16,8 @@ enum class DepthTest : std::uint8_t { off, less, equal, unequal, always };
 enum class Cull : std::uint8_t { none, back, front };
 /// What becomes of the colour that is there: replaced; covered as far as the new one is opaque, where the sum
 /// is as opaque as both together or stays as opaque as it was; added to; the greater of both, a channel each.
-enum class Blend : std::uint8_t { replace, over, over_keeping_alpha, add, greatest };
+/// `under`: only where nothing or little has been drawn, straight alpha.
+enum class Blend : std::uint8_t { replace, over, over_keeping_alpha, under, add, greatest };
 
 /// Where a pass draws and how; what it does not name is as it is here, whatever was drawn before.
 struct Pass {

@@ -97,6 +97,30 @@ TEST(StillPicture, HasRoomForBodies) {
   }
 }
 
+/// On nothing a body is its own colour, as opaque as it is elsewhere, and the part stays opaque.
+TEST(StillPicture, ShowsBodiesWithoutABackdrop) {
+  const Classified part(cup_with_side_hole(ShapeSettings{}));
+  StillBody body{.mesh = part.model->part.mesh, .colour = {255, 0, 255}, .label = {}};
+  body.motion = glm::translate(glm::dmat4(1.0), part.model->frame.diagonal * glm::dvec3(1, -1, 0));
+  const Image image =
+      StillPainter(test::shared_context(), part.model)
+          .draw(part.result,
+                {.size = {300, 200}, .look = {.arrows = false}, .legend = false, .backdrop = Backdrop::none},
+                {}, std::span(&body, 1));
+  std::size_t of_body = 0, of_part = 0;
+  for (std::size_t k = 0; k < image.rgba.size(); k += 4) {
+    const std::uint8_t* pixel = &image.rgba[k];
+    of_part += pixel[3] == 255 ? 1 : 0;
+    if (pixel[3] < 160 || pixel[3] > 210) continue;
+    ++of_body;
+    EXPECT_GE(pixel[0], 140);
+    EXPECT_LE(pixel[1], 20);
+    EXPECT_GE(pixel[2], 140);
+  }
+  EXPECT_GT(of_body, 500U);
+  EXPECT_GT(of_part, 500U);
+}
+
 /// Along z the cup's hole is the undercut, on its side; along the hole it is the inside, seen from above:
 /// from one side both are seen.
 TEST(StillPicture, OfSeveralDirectionsIsFromOneSideThatShowsTheUndercutsOfAll) {
