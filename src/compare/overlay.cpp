@@ -20,8 +20,6 @@ namespace {
 constexpr double k_least_facing = 0.5;
 /// Of the diagonal: what cuts of polygons may be off.
 constexpr double k_cut_rounding = 1e-10;
-/// Of the radius asked for: single precision of the search tree, in its unit frame.
-constexpr float k_search_margin = 1e-6F;
 /// More pieces near a polygon than this, and it is asked about in halves.
 constexpr std::size_t k_many_near = 512, k_many_over = 48;
 constexpr int k_most_halvings = 24, k_most_search_halvings = 8;
@@ -136,8 +134,8 @@ class Laying {
 
   /// Calls `visit` for what is so near to a polygon, and for some beside it; maybe more than once. Around a
   /// large polygon there is much of a finely divided part: its halves have less around them.
-  void visit_around(const ConvexPolygon& polygon, double reach, int halvings,
-                    const std::function<void(PieceIndex)>& visit) const {
+  template <typename Visit>
+  void visit_around(const ConvexPolygon& polygon, double reach, int halvings, const Visit& visit) const {
     constexpr double k_few = 4.0;  // pieces across
     const glm::dvec3 centre = polygon_centre(polygon);
     const double radius = reach_from(centre, polygon);
@@ -158,30 +156,29 @@ class Laying {
       return onto_.radius(other) + 2.0 * (within.normal + within.lateral);
     };
     const std::vector<Rim> rims = rims_of(polygon, centre, normal);
-    std::vector<PieceIndex> near;
+    near_.clear();
     visit_around(polygon, reach, k_most_search_halvings, [&](PieceIndex other) {
+      if (glm::dot(normal, onto_.normal(other)) < k_least_facing || onto_.area(other) <= 0.0) return;
       const glm::dvec3 way = onto_.centre(other) - centre;
       double off = std::max(std::abs(glm::dot(normal, way)) - rounding_, glm::length(way) - radius);
       for (const Rim& rim : rims) off = std::max(off, glm::dot(rim.out, way) - rim.at);
-      if (glm::dot(normal, onto_.normal(other)) < k_least_facing || onto_.area(other) <= 0.0) return;
       // What tessellations may be off is asked for only where it matters.
-      if (off <= onto_.radius(other) || off <= reach_of(other)) near.push_back(other);
+      if (off <= onto_.radius(other) || off <= reach_of(other)) near_.push_back(other);
     });
-    std::ranges::sort(near);
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    const Halvings next = halvings.next(near.size());
-    const bool halve = near.size() > k_many_near && next.allowed() && radius > reach;
-    std::vector<Over> hulls;
-    for (const PieceIndex other : near) {
+    std::ranges::sort(near_);
+    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+    const Halvings next = halvings.next(near_.size());
+    const bool halve = near_.size() > k_many_near && next.allowed() && radius > reach;
+    hulls_.clear();
+    hulls_.reserve(near_.size());
+    std::vector<const Over*> over;
+    for (const PieceIndex other : near_) {
       // What holds the polygon is half as large at least.
       if (halve && (reach_of(other) < 0.5 * radius || !same_region(other))) continue;
       const Nearness within = nearness(other, slack);
-      hulls.push_back(
-          {other, within.lateral, hull_around(onto_.corners(other), onto_.normal(other), within)});
+      hulls_.push_back({other, within.lateral, widened(onto_.hull(other), within)});
+      if (!find_over(polygon, &hulls_.back(), slack, over, result)) return;
     }
-    std::vector<const Over*> candidates, over;
-    for (const Over& one : hulls) candidates.push_back(&one);
-    if (!find_over(polygon, candidates, slack, over, result)) return;
     if (!halve) {
       divide(polygon, over, reach, slack, next, result);
       return;
@@ -204,24 +201,23 @@ class Laying {
     if (progress_.cancelled()) throw Cancelled();
     for (const ConvexPolygon& half : halved(polygon)) {
       std::vector<const Over*> over_half;
-      if (find_over(half, over, slack, over_half, result))
+      if (std::ranges::all_of(
+              over, [&](const Over* one) { return find_over(half, one, slack, over_half, result); }))
         divide(half, over_half, reach, slack, next, result);
     }
   }
 
-  /// Finds those that are not beside the polygon. False if one of the same region holds all of it, and has
-  /// taken it: one of another region may be beside one of the same, within the tolerance.
-  bool find_over(const ConvexPolygon& polygon, const std::vector<const Over*>& candidates, const Slack& slack,
+  /// Adds one to `over` that is not beside the polygon. False if it is of the same region and holds all of
+  /// it, and has taken it: one of another region may be beside one of the same, within the tolerance.
+  bool find_over(const ConvexPolygon& polygon, const Over* one, const Slack& slack,
                  std::vector<const Over*>& over, PieceOverlay& result) const {
-    for (const Over* one : candidates) {
-      const HullSide where = side_of(polygon, one->hull, rounding_);
-      if (where == HullSide::outside) continue;
-      if (where == HullSide::inside && same_region(one->piece)) {
-        take(polygon, *one, slack, result);
-        return false;
-      }
-      over.push_back(one);
+    const HullSide where = side_of(polygon, one->hull, rounding_);
+    if (where == HullSide::outside) return true;
+    if (where == HullSide::inside && same_region(one->piece)) {
+      take(polygon, *one, slack, result);
+      return false;
     }
+    over.push_back(one);
     return true;
   }
 
@@ -264,6 +260,8 @@ class Laying {
   double rounding_;
   PieceIndex piece_ = 0;
   std::vector<ConvexPolygon> left_;
+  std::vector<PieceIndex> near_;  // of the polygon that is laid now
+  std::vector<Over> hulls_;
 };
 
 template <typename T>
@@ -285,6 +283,7 @@ OverlaySide::OverlaySide(std::shared_ptr<const PartModel> model, const Classific
         return ExactRays(mesh, unit_positions(mesh, model_->frame));
       }()) {
   measures_.reserve(count());
+  hulls_.reserve(count());
   for (PieceIndex piece = 0; piece < count(); ++piece) {
     const auto [a, b, c] = corners(piece);
     const glm::dvec3 centre = (a + b + c) / 3.0;
@@ -293,18 +292,9 @@ OverlaySide::OverlaySide(std::shared_ptr<const PartModel> model, const Classific
          .normal = model_->geometry.normals[facet(piece)],
          .radius = std::max({glm::distance(a, centre), glm::distance(b, centre), glm::distance(c, centre)}),
          .area = piece_area(*split_, split_->pieces[piece])});
+    hulls_.push_back(hull_around({a, b, c}, measures_.back().normal, {}));
     mean_radius_ += measures_.back().radius / static_cast<double>(count());
   }
-}
-
-void visit_pieces(const OverlaySide& side, const glm::dvec3& point, double reach,
-                  const std::function<void(PieceIndex)>& visit) {
-  const UnitFrame& frame = side.model().frame;
-  const float radius = static_cast<float>(reach / frame.diagonal) + k_search_margin;
-  side.rays().visit_near(frame.to_unit(point), radius, [&](FacetIndex piece) {
-    visit(piece);
-    return radius;
-  });
 }
 
 Overlay lay_on(const OverlaySide& side, const OverlaySide& onto, const OverlayTolerance& tolerance,

@@ -49,6 +49,8 @@ class OverlaySide {
   [[nodiscard]] Region region(PieceIndex piece) const { return split_->pieces[piece].region; }
   [[nodiscard]] const glm::dvec3& normal(PieceIndex piece) const { return measures_[piece].normal; }
   [[nodiscard]] double area(PieceIndex piece) const { return measures_[piece].area; }
+  /// As near around it as rounding.
+  [[nodiscard]] const TriangleHull& hull(PieceIndex piece) const { return hulls_[piece]; }
   /// A sphere around it.
   [[nodiscard]] const glm::dvec3& centre(PieceIndex piece) const { return measures_[piece].centre; }
   [[nodiscard]] double radius(PieceIndex piece) const { return measures_[piece].radius; }
@@ -73,6 +75,7 @@ class OverlaySide {
   ChordDeviation chords_;
   std::vector<Measures> measures_;
   double mean_radius_ = 0.0;
+  std::vector<TriangleHull> hulls_;
   ExactRays rays_;
 };
 
@@ -124,7 +127,15 @@ struct Overlay {
                              const OverlayTolerance& tolerance, const Progress& progress);
 
 /// Calls `visit` for the pieces that come as near as `reach` to a point, some that are farther among them.
-void visit_pieces(const OverlaySide& side, const glm::dvec3& point, double reach,
-                  const std::function<void(PieceIndex)>& visit);
+template <typename Visit>
+void visit_pieces(const OverlaySide& side, const glm::dvec3& point, double reach, const Visit& visit) {
+  constexpr float k_search_margin = 1e-6F;  // single precision of the search tree, in its unit frame
+  const UnitFrame& frame = side.model().frame;
+  const float radius = static_cast<float>(reach / frame.diagonal) + k_search_margin;
+  side.rays().visit_near(frame.to_unit(point), radius, [&](FacetIndex piece) {
+    visit(piece);
+    return radius;
+  });
+}
 
 }  // namespace moldlight

@@ -43,6 +43,8 @@ double beyond(const glm::dvec3& point, const HalfSpace& half) {
 
 PartedPolygon parted(const ConvexPolygon& polygon, const HalfSpace& half, double rounding) {
   PartedPolygon parts;
+  parts.inside.reserve(polygon.size() + 1);
+  parts.outside.reserve(polygon.size() + 1);
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const glm::dvec3 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
     const double over_a = beyond(a, half), over_b = beyond(b, half);
@@ -111,6 +113,12 @@ TriangleHull hull_around(const std::array<glm::dvec3, 3>& corners, const glm::dv
   return hull;
 }
 
+TriangleHull widened(const TriangleHull& hull, const Nearness& nearness) {
+  TriangleHull wide = hull;
+  for (std::size_t k = 0; k < wide.size(); ++k) wide[k].offset += k < 6 ? nearness.lateral : nearness.normal;
+  return wide;
+}
+
 HullSide side_of(const ConvexPolygon& polygon, const TriangleHull& hull, double rounding) {
   bool inside = true;
   for (const HalfSpace& half : hull) {
@@ -130,6 +138,9 @@ ConvexPolygon cut_by(const ConvexPolygon& polygon, const TriangleHull& hull, dou
   ConvexPolygon inside = polygon;
   const std::size_t before = outside.size();
   for (const HalfSpace& half : hull) {
+    // What is left is within most planes; only the first finds a polygon without area.
+    const auto within = [&](const glm::dvec3& corner) { return beyond(corner, half) < -rounding; };
+    if (&half != hull.data() && std::ranges::all_of(inside, within)) continue;
     PartedPolygon parts = parted(inside, half, rounding);
     if (parts.inside.size() < 3 || polygon_area(parts.inside) <= rounding * rounding) {
       outside.resize(before);
