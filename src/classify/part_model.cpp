@@ -41,14 +41,18 @@ std::shared_ptr<const PartModel> prepare_part(Part part, const Progress& progres
   const TriangleMesh& mesh = model->part.mesh;
   model->warnings = model->part.warnings;
   progress.report("orienting", 0.0);
-  const TurnedFacets turned = turn_if_inside_out(model->part.mesh);
-  if (turned.facets > 0) model->warnings.push_back(turned_warning(turned));
+  EdgeTable edges(mesh);
+  const TurnedFacets turned = turn_if_inside_out(model->part.mesh, edges);
+  if (turned.facets > 0) {
+    edges = EdgeTable(mesh);
+    model->warnings.push_back(turned_warning(turned));
+  }
   progress.report("measuring facets", 0.0);
   model->geometry = facet_geometry(mesh);
-  model->adjacency = build_adjacency(mesh, progress);
+  model->adjacency = build_adjacency(mesh, edges, progress);
   model->edges = bent_edges(mesh, model->geometry, model->adjacency);
   progress.report("checking health", 0.0);
-  model->health = health_report(mesh, model->geometry);
+  model->health = health_report(mesh, model->geometry, edges);
   model->frame = unit_frame(model->health.bounds);
   model->errors = part_errors(mesh, model->geometry, model->health, model->frame);
   for (std::string& warning : health_warnings(model->health)) model->warnings.push_back(std::move(warning));

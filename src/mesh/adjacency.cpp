@@ -38,7 +38,7 @@ HalfEdgeIndex next_in_facet(HalfEdgeIndex half_edge) {
   return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
 }
 
-CutMesh cut_mesh(const TriangleMesh& mesh) {
+CutMesh cut_mesh(const TriangleMesh& mesh, const EdgeTable& edges) {
   CutMesh cut;
   cut.joins.assign(3 * mesh.facets.size(), false);
   UnionFind corners(3 * mesh.facets.size());
@@ -46,7 +46,7 @@ CutMesh cut_mesh(const TriangleMesh& mesh) {
   for (const auto& facet : mesh.facets) {
     for (const VertexIndex vertex : facet) ++facets_at[vertex];
   }
-  EdgeTable(mesh).for_each_edge([&](VertexIndex low, std::span<const EdgeUse> uses) {
+  edges.for_each_edge([&](VertexIndex low, std::span<const EdgeUse> uses) {
     if (uses.size() != 2) return;
     const HalfEdgeIndex a = uses[0].half_edge, b = uses[1].half_edge;
     if (start_vertex(mesh, a) == start_vertex(mesh, b)) return;
@@ -119,8 +119,8 @@ EdgeTable::EdgeTable(const TriangleMesh& mesh) : first_use_(mesh.vertices.size()
   }
 }
 
-Adjacency build_adjacency(const TriangleMesh& mesh, const Progress& progress) {
-  const CutMesh cut = cut_mesh(mesh);
+Adjacency build_adjacency(const TriangleMesh& mesh, const EdgeTable& edges, const Progress& progress) {
+  const CutMesh cut = cut_mesh(mesh, edges);
 
   OpenMesh::TriConnectivity half_edges;
   omerr().disable();  // OpenMesh reports refused facets on stderr; they are dealt with below
@@ -163,9 +163,9 @@ Adjacency build_adjacency(const TriangleMesh& mesh, const Progress& progress) {
   return adjacency;
 }
 
-Components connected_components(const TriangleMesh& mesh) {
+Components connected_components(const TriangleMesh& mesh, const EdgeTable& edges) {
   UnionFind facets(mesh.facets.size());
-  EdgeTable(mesh).for_each_edge([&](VertexIndex, std::span<const EdgeUse> uses) {
+  edges.for_each_edge([&](VertexIndex, std::span<const EdgeUse> uses) {
     for (const EdgeUse& use : uses.subspan(1))
       facets.join(facet_of(uses[0].half_edge), facet_of(use.half_edge));
   });

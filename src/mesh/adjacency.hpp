@@ -72,7 +72,11 @@ struct Adjacency {
 /// Builds the adjacency through OpenMesh half-edges. An edge joins two facets when exactly two facets use it
 /// and they run through it in opposite senses; every other edge is cut, and no facet is lost. Throws
 /// Cancelled.
-[[nodiscard]] Adjacency build_adjacency(const TriangleMesh& mesh, const Progress& progress = Progress());
+[[nodiscard]] Adjacency build_adjacency(const TriangleMesh& mesh, const EdgeTable& edges,
+                                        const Progress& progress = Progress());
+[[nodiscard]] inline Adjacency build_adjacency(const TriangleMesh& mesh) {
+  return build_adjacency(mesh, EdgeTable(mesh));
+}
 
 /// Component (0, 1, …) of each facet, numbered by first facet; facets are connected when they share a vertex
 /// pair (any edge, also a non-manifold or inconsistently wound one). Facets with two equal corners get
@@ -81,7 +85,10 @@ struct Components {
   std::vector<FacetIndex> of_facet;
   std::size_t count = 0;
 };
-[[nodiscard]] Components connected_components(const TriangleMesh& mesh);
+[[nodiscard]] Components connected_components(const TriangleMesh& mesh, const EdgeTable& edges);
+[[nodiscard]] inline Components connected_components(const TriangleMesh& mesh) {
+  return connected_components(mesh, EdgeTable(mesh));
+}
 
 /// True for the facets of bodies without open edges: facets that hang together over edges, each of which they
 /// run through as often in the one sense as in the other. An edge may join more than two of them. Collapsed

@@ -32,10 +32,10 @@ std::size_t count_duplicates(const TriangleMesh& mesh, std::span<const EdgeUse> 
   return static_cast<std::size_t>(thirds.end() - std::unique(thirds.begin(), thirds.end()));
 }
 
-void count_edges(const TriangleMesh& mesh, HealthReport& report) {
+void count_edges(const TriangleMesh& mesh, const EdgeTable& edges, HealthReport& report) {
   bool any = false, balanced = true;
   std::vector<VertexIndex> thirds;
-  EdgeTable(mesh).for_each_edge([&](VertexIndex low, std::span<const EdgeUse> uses) {
+  edges.for_each_edge([&](VertexIndex low, std::span<const EdgeUse> uses) {
     std::size_t upward = 0;
     for (const EdgeUse& use : uses) upward += start_vertex(mesh, use.half_edge) == low ? 1 : 0;
     any = true;
@@ -189,19 +189,19 @@ double signed_volume(const TriangleMesh& mesh) {
   return six_volumes / 6.0;
 }
 
-HealthReport health_report(const TriangleMesh& mesh, const FacetGeometry& geometry) {
+HealthReport health_report(const TriangleMesh& mesh, const FacetGeometry& geometry, const EdgeTable& edges) {
   CHECK(geometry.areas.size() == mesh.facets.size());
   HealthReport report;
   report.facets = mesh.facets.size();
   report.vertices = count_used_vertices(mesh);
-  report.components = connected_components(mesh).count;
+  report.components = connected_components(mesh, edges).count;
   report.area = geometry.total_area;
   report.volume = signed_volume(mesh);
   report.bounds = bounds(mesh);
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
     if (is_collapsed(mesh.facets[facet]) || geometry.areas[facet] <= 0.0) ++report.degenerate_facets;
   }
-  count_edges(mesh, report);
+  count_edges(mesh, edges, report);
   return report;
 }
 

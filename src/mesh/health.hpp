@@ -34,7 +34,11 @@ struct HealthReport {
 };
 
 /// Equal vertices of `mesh` must be welded, else its edges count as open; `geometry` is the mesh's own.
-[[nodiscard]] HealthReport health_report(const TriangleMesh& mesh, const FacetGeometry& geometry);
+[[nodiscard]] HealthReport health_report(const TriangleMesh& mesh, const FacetGeometry& geometry,
+                                         const EdgeTable& edges);
+[[nodiscard]] inline HealthReport health_report(const TriangleMesh& mesh, const FacetGeometry& geometry) {
+  return health_report(mesh, geometry, EdgeTable(mesh));
+}
 
 /// Volume that a closed mesh encloses, model units cubed; negative when it is inside out.
 [[nodiscard]] double signed_volume(const TriangleMesh& mesh);

@@ -160,7 +160,8 @@ struct Shell {
   bool consistent = true;
 };
 
-std::vector<Shell> measure_shells(const TriangleMesh& mesh, const Components& components) {
+std::vector<Shell> measure_shells(const TriangleMesh& mesh, const EdgeTable& edges,
+                                  const Components& components) {
   std::vector<Shell> shells(components.count);
   for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
     if (components.of_facet[facet] == k_no_facet) continue;
@@ -176,7 +177,7 @@ std::vector<Shell> measure_shells(const TriangleMesh& mesh, const Components& co
     shell.six_volumes += glm::dot(a, glm::cross(b, c));
     shell.twice_area += glm::length(glm::cross(b - a, c - a));
   }
-  EdgeTable(mesh).for_each_edge([&](VertexIndex low, std::span<const EdgeUse> uses) {
+  edges.for_each_edge([&](VertexIndex low, std::span<const EdgeUse> uses) {
     Shell& shell = shells[components.of_facet[facet_of(uses[0].half_edge)]];
     const auto upward = std::count_if(uses.begin(), uses.end(), [&](const EdgeUse& use) {
       return start_vertex(mesh, use.half_edge) == low;
@@ -228,10 +229,10 @@ std::vector<bool> choose_turned(std::vector<int> signs, const std::vector<FacetI
 
 }  // namespace
 
-TurnedFacets turn_if_inside_out(TriangleMesh& mesh) {
-  const Components components = connected_components(mesh);
+TurnedFacets turn_if_inside_out(TriangleMesh& mesh, const EdgeTable& edges) {
+  const Components components = connected_components(mesh, edges);
   std::vector<int> signs;
-  for (const Shell& shell : measure_shells(mesh, components)) signs.push_back(sign_of(shell));
+  for (const Shell& shell : measure_shells(mesh, edges, components)) signs.push_back(sign_of(shell));
   TurnedFacets result;
   result.components_left = components.count;
   if (std::find(signs.begin(), signs.end(), -1) == signs.end()) return result;

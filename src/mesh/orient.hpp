@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "mesh/adjacency.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace moldlight {
@@ -23,8 +24,12 @@ struct TurnedFacets {
 /// place it lies in (their winding number there is positive): it is then the skin of a void. Everywhere else
 /// it is a body turned inside out, and so are the positive components directly inside it: voids of a part
 /// that is inside out as a whole. A positive component inside an outward one stays as it is: bodies of one
-/// file may overlap.
-TurnedFacets turn_if_inside_out(TriangleMesh& mesh);
+/// file may overlap. The edges, of the mesh as it comes in, are then no longer its own where facets were
+/// turned.
+TurnedFacets turn_if_inside_out(TriangleMesh& mesh, const EdgeTable& edges);
+inline TurnedFacets turn_if_inside_out(TriangleMesh& mesh) {
+  return turn_if_inside_out(mesh, EdgeTable(mesh));
+}
 
 /// One sentence for the user; empty when nothing was turned.
 [[nodiscard]] std::string turned_warning(const TurnedFacets& turned);

@@ -88,7 +88,7 @@ TEST(PlaceOrder, NumbersFacesAsTheFileListsThem) {
   const TriangleMesh mesh = test::permuted(test::box_shape({}).mesh, 5);
   const auto faces_of = [](const Part& part) {
     const FacetGeometry geometry = facet_geometry(part.mesh);
-    return part_faces(part, geometry, build_adjacency(part.mesh, Progress()));
+    return part_faces(part, geometry, build_adjacency(part.mesh));
   };
   const Part as_read = part_of(mesh), known = ordered(as_read);
   const Faces before = faces_of(as_read), now = faces_of(known);
