@@ -3,9 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 #include <thread>
 
 #include <fcntl.h>
@@ -72,21 +70,6 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Processor time so far, of all its threads.
-double processor_seconds_of(pid_t program) {
-  std::ifstream stat("/proc/" + std::to_string(program) + "/stat");
-  std::string text;
-  std::getline(stat, text);
-  const std::size_t after_name = text.rfind(')');
-  if (after_name == std::string::npos) return 0.0;
-  std::istringstream fields(text.substr(after_name + 1));
-  std::string word;
-  double ticks = 0.0;
-  for (int field = 3; fields >> word && field <= 15; ++field)
-    if (field >= 14) ticks += std::stod(word);
-  return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
-}
-
 struct Ended {
   int exit_code = 0;
   double after_s = 0.0;  // processor time from the signal on
@@ -107,7 +90,7 @@ Ended run_and_signal(const std::vector<std::string>& words, int signal, std::chr
   if (error != 0) return {.exit_code = 127};
   std::this_thread::sleep_for(delay);
   Ended ended;
-  const double before = processor_seconds_of(pid);
+  const double before = test::processor_seconds(pid);
   ::kill(pid, signal);
   int status = 0;
   rusage used = {};

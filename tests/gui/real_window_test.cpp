@@ -17,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using moldlight::test::Process;
+using moldlight::test::processor_seconds;
 using moldlight::test::ProcessSettings;
 
 constexpr glm::ivec2 k_first_size(1280, 800);

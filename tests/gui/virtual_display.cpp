@@ -10,8 +10,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include <unistd.h>
-
 namespace moldlight::gui::test {
 
 namespace {
@@ -109,19 +107,6 @@ std::size_t colours_of(const Image& image) {
   for (std::size_t k = 0; k + 3 < image.rgba.size(); k += 4)
     seen.insert({image.rgba[k], image.rgba[k + 1], image.rgba[k + 2]});
   return seen.size();
-}
-
-double processor_seconds(int process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  std::string line;
-  std::getline(file, line);
-  // After the program's name in brackets: state, then ten numbers, then user and system time in ticks.
-  std::istringstream fields(line.substr(line.rfind(')') + 2));
-  std::string skipped;
-  for (int k = 0; k < 11; ++k) fields >> skipped;
-  long user = 0, system = 0;
-  fields >> user >> system;
-  return static_cast<double>(user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
 }  // namespace moldlight::gui::test

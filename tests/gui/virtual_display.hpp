@@ -43,7 +43,4 @@ class VirtualDisplay {
 /// Number of different colours.
 [[nodiscard]] std::size_t colours_of(const Image& image);
 
-/// Processor time a process has used so far, seconds.
-[[nodiscard]] double processor_seconds(int process);
-
 }  // namespace moldlight::gui::test

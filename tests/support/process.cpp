@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
@@ -23,6 +24,10 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 std::array<int, 2> make_pipe() {
@@ -66,6 +71,21 @@ bool read_some(int descriptor, std::string& text) {
 }
 
 }  // namespace
+
+double processor_seconds(pid_t program) {
+  std::ifstream stat("/proc/" + std::to_string(program) + "/stat");
+  std::string text;
+  std::getline(stat, text);
+  // After the program's name in brackets: state, then ten numbers, then user and system time in ticks.
+  const std::size_t after_name = text.rfind(')');
+  if (after_name == std::string::npos) return 0.0;
+  std::istringstream fields(text.substr(after_name + 1));
+  std::string word;
+  double ticks = 0.0;
+  for (int field = 3; fields >> word && field <= 15; ++field)
+    if (field >= 14) ticks += std::stod(word);
+  return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
 
 std::size_t ProcessResult::error_lines() const {
   // A slow machine has time for lines of progress.
@@ -153,7 +173,7 @@ ProcessResult Process::finish() {
   rusage usage{};
   ::wait4(pid_, &status, 0, &usage);
   pid_ = -1;
-  result_.seconds = seconds_since(start_);
+  result_.processor_s = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
   result_.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   result_.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   close_pipes();

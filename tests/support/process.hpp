@@ -25,11 +25,14 @@ struct ProcessResult {
   int exit_code = -1;  // 128 + signal where a signal ended it
   bool timed_out = false;
   std::string out, err;
-  double seconds = 0.0;
+  double processor_s = 0.0;     // of all its threads, and of the programs that it started and waited for
   std::size_t peak_memory = 0;  // resident bytes
 
   [[nodiscard]] std::size_t error_lines() const;
 };
+
+/// Processor time of a running program so far, of all its threads, seconds; 0 for one that has ended.
+[[nodiscard]] double processor_seconds(pid_t program);
 
 /// A running program; finish() or the destructor ends it.
 class Process {

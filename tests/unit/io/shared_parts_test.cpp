@@ -1,6 +1,6 @@
 #include "support/shared_parts.hpp"
 
-#include <chrono>
+#include <ctime>
 #include <iostream>
 #include <set>
 
@@ -113,7 +113,7 @@ TEST(SharedParts, EndCleanlyWhereTheyAreBad) {
   std::size_t used = 0;
   for (const test::ManifestRow& row : test::read_manifest()) {
     if (!is_bad(row)) continue;
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const std::string path = part_path(row);
     try {
       const Part part = read_part(path, {}, Progress());
@@ -126,7 +126,7 @@ TEST(SharedParts, EndCleanlyWhereTheyAreBad) {
       EXPECT_EQ(text.find('\n'), std::string::npos) << text;
       std::cout << text.substr(path.size() - row.file.size()) << '\n';
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)) << row.file;
+    EXPECT_LT(std::clock() - start, 5 * CLOCKS_PER_SEC) << row.file << ", of the processor";
     ++used;
   }
   std::cout << used << " bad files tried\n";

@@ -1,5 +1,6 @@
 // Exact regions cut short: cancelled, or given up once the undercut is above a limit.
 #include <chrono>
+#include <ctime>
 #include <thread>
 
 #include <glm/geometric.hpp>
@@ -52,19 +53,16 @@ TEST(ExactCancelling, AtAnyReportThrows) {
 TEST(ExactCancelling, InTheMiddleThrowsSoon) {
   const test::ExactModel model(large_pile());
   const ExactQuery query = model.query({0.3, 0.4, 1.0}, k_cut_settings);
-  using Clock = std::chrono::steady_clock;
-  const auto began = Clock::now();
+  const std::clock_t began = std::clock();
   (void)exact_split(model.part(), query, Progress{});
-  const auto whole = Clock::now() - began;
+  const std::clock_t whole = std::clock() - began, again = std::clock();
   Progress progress;
   std::jthread other([&] {
-    std::this_thread::sleep_for(whole / 4);
+    while (std::clock() - again < whole / 4) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     progress.cancel();
   });
-  const auto again = Clock::now();
   EXPECT_THROW((void)exact_split(model.part(), query, progress), Cancelled);
-  // Somewhat over a quarter: machines that others use too are slow at times.
-  EXPECT_LT(Clock::now() - again, whole + std::chrono::seconds(1));
+  EXPECT_LT(std::clock() - again, whole + CLOCKS_PER_SEC) << "of the processor, somewhat over a quarter";
 }
 
 TEST(ExactAreasWithin, IsExactAreasToTheBitOrNothing) {
