@@ -115,10 +115,16 @@ class RegionsTest(DocumentCase):
         self.assert_as_classified(found)
         try:
             FreeCAD.Units.setSchema(3)
-            self.assertIn("in^2", properties.quantity(found.CavityArea.Value, "area"))
-            self.assertTrue(properties.quantity(found.CavityArea.Value, "area").startswith("12"))
+            self.assertEqual(properties.quantity(found.CavityArea.Value, "area"), "12.00 in²")
+            self.assertEqual(properties.quantity(16387.064, "volume"), "1.00 in³")
         finally:
             FreeCAD.Units.setSchema(schema)
+
+    def test_one_unit_whatever_the_size(self):
+        for area in (0.5, 168.0, 5843.1, 2e6):
+            self.assertEqual(properties.quantity(area, "area"), f"{area:.2f} mm²")
+            self.assertEqual(properties.quantity(area, "volume"), f"{area:.2f} mm³")
+            self.assertEqual(properties.quantity(area, "length"), f"{area:.2f} mm")
 
     def test_dimension_changed(self):
         body, tool = models.pocket(self.document)

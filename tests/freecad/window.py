@@ -18,7 +18,7 @@ sys.path.insert(0, os.path.join(os.environ["MOLDLIGHT_SOURCE"], "tests", "freeca
 
 PICTURES = os.environ.get("MOLDLIGHT_PICTURES", "")
 # The window has come up by then; by the second the tests have ended or hang.
-START_MS, END_MS = 2500, 200_000
+START_MS, END_MS = 2500, 400_000
 
 
 def settle(seconds=0.2):
@@ -53,6 +53,12 @@ def unmarked_texts(panel):
         texts += [row[0] for row in panel_rows(table)]
     own = re.compile(r"«.*»|Face\d+|[-−+\d., ]*|[-−]?[XYZxyz]|%", re.S)
     return [text for text in texts if not own.fullmatch(text)]
+
+
+def report_lines():
+    """What stands in FreeCAD's report view."""
+    view = FreeCADGui.getMainWindow().findChild(QtGui.QTextEdit, "Report view")
+    return view.toPlainText().split("\n")
 
 
 def panel_rows(table):
@@ -313,6 +319,64 @@ class WindowTest(unittest.TestCase):
             said = [getattr(panel, name).text() for name in ("remarks", "verdict", "refusal") if hasattr(panel, name)]
             said += [found.Verdict for found in self.document.Objects if hasattr(found, "Verdict")]
             self.assertEqual([text for text in unmarked_texts(panel) if text not in said], [], command)
+            panel.accept()
+
+    def test_languages(self):
+        from moldlight_workbench import words
+
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        names = {"German": ("Formbereiche", "Entformschräge", "Kern"), "French": ("Zones de moulage", "Dépouille", "Noyau")}
+        body = self.body()
+        for language, (title, draft, core) in names.items():
+            FreeCADGui.setLocale(language)
+            settle()
+            panel = self.run_command("Regions", (body,))
+            picture("regions_" + language.lower())
+            self.assertEqual(panel.form.windowTitle(), title)
+            self.assertIn(draft, [panel.faces.horizontalHeaderItem(column).text() for column in range(3)])
+            self.assertEqual(panel_rows(panel.areas)[0][0], core)
+            self.assertIn(title, [action.text() for action in FreeCADGui.getMainWindow().findChildren(QtGui.QAction)])
+            known = {text.lower() for text in words.table(language).values()}
+            texts = [button.text() for button in panel.form.findChildren(QtGui.QPushButton) if len(button.text()) > 1]
+            self.assertEqual([text for text in texts if text.lower() not in known], [])
+            panel.reject()
+
+    def assert_seen(self, boxes):
+        """Every corner of the boxes is within the view."""
+        view = FreeCADGui.activeDocument().activeView()
+        width, height = view.getSize()
+        for box in boxes:
+            for number in range(8):
+                x, y = view.getPointOnScreen(box.getPoint(number))
+                self.assertTrue(0 <= x <= width and 0 <= y <= height, f"{x}, {y} of {width} x {height}")
+
+    def test_a_part_without_undercut(self):
+        import Part
+
+        body = self.body(Part.makeBox(40, 30, 20))
+        for command in ("Regions", "FindDirection", "Actions"):
+            self.run_command(command, (body,)).accept()
+        panel = self.run_command("Parting", (body,))
+        picture("no_undercut")
+        self.assertEqual([row[0] for row in panel_rows(panel.bodies)], ["Core half", "Cavity half"])
+        halves = [self.document.getObject(name) for name in ("MoldCore", "MoldCavity")]
+        self.assert_seen([half.Mesh.BoundBox for half in halves])
+        self.assertNotIn("..", panel.verdict.text())
+        self.document.recompute()
+        settle()
+        self.assertEqual([line for line in report_lines() if "void" in line], [])
+        panel.accept()
+
+    def test_columns_and_units(self):
+        body = self.body()
+        for command in ("Regions", "FindDirection", "Actions", "Parting"):
+            panel = self.run_command(command, (body,))
+            for table in panel.form.findChildren(QtGui.QTableWidget):
+                for column in range(table.columnCount()):
+                    self.assertGreaterEqual(table.columnWidth(column), table.sizeHintForColumn(column))
+                self.assertEqual(table.horizontalScrollBar().maximum(), 0, command)
+                cells = [cell for row in panel_rows(table) for cell in row]
+                self.assertEqual([cell for cell in cells if "cm" in cell or "^" in cell or cell.endswith(" ml")], [])
             panel.accept()
 
     def test_messages(self):

@@ -76,7 +76,8 @@ class ActionArrows(properties.Proxy):
             arrows.append(shape)
             colours += [COLOURS.get(action["kind"], OTHER_COLOUR)] * len(shape.Faces)
         obj.Colours = colours
-        obj.Shape = Part.makeCompound(arrows)
+        # The box around a compound of nothing is an error to FreeCAD.
+        obj.Shape = Part.makeCompound(arrows) if arrows else Part.Shape()
 
 
 def arrow(start, direction, length, radius):

@@ -40,7 +40,8 @@ def text_of(vector, digits=6):
         for sign, prefix in ((1.0, ""), (-1.0, "-")):
             if (vector - FreeCAD.Vector(*axis) * sign).Length < 1e-12:
                 return prefix + name
-    return ", ".join(f"{value:.{digits}f}" for value in vector)
+    # 0.0 takes the sign from what is rounded to zero.
+    return ", ".join(f"{round(value, digits) + 0.0:.{digits}f}" for value in vector)
 
 
 def of_element(source, element=""):

@@ -37,7 +37,7 @@ class PartingLine(Analysis):
 
     def show(self, obj, part, answer, listener):
         loops = answer.loops
-        line = answer.parting_line
+        line = answer.parting_line.rstrip(".")
         obj.Verdict = "{} {}{}.".format(answer.verdict["sentence"], line[:1].upper(), line[1:])
         obj.Refusal = answer.refusal
         obj.Kinds = [loop["kind"] for loop in loops]

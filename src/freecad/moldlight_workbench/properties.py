@@ -12,6 +12,9 @@ _KINDS_BY_UNIT = {
     "file's unit": "App::PropertyLength",
 }
 
+# How some schemas write inches.
+DOUBLE_PRIME = '"'
+
 
 def add(obj, kind, name, group, tip, value=None):
     """Adds a property unless it is there; a file of an older version gets what is new."""
@@ -113,7 +116,22 @@ class Proxy(Unsaved):
 
 
 def quantity(value, kind):
-    """A number of mm, mm² or degrees as FreeCAD's unit schema shows it; kind: "length", "area", "volume", "angle"."""
+    """A number of mm, mm², mm³ or degrees in the user's unit schema and with its digits, all of a kind in the same unit,
+    which FreeCAD changes with the size of the number; kind: "length", "area", "volume", "angle"."""
     units = FreeCAD.Units
-    unit = {"length": units.Length, "area": units.Area, "volume": units.Volume, "angle": units.Angle}[kind]
-    return units.Quantity(value, unit).UserString
+    if kind == "angle":
+        return units.Quantity(value, units.Angle).UserString
+    power = ("length", "area", "volume").index(kind) + 1
+    # Of a length of a centimetre.
+    _, factor, unit = units.Quantity(10.0, units.Length).getUserPreferred()
+    return f"{plain(value / factor**power)} {'in' if unit == DOUBLE_PRIME else unit}{' ²³'[power - 1].strip()}"
+
+
+def plain(number):
+    """A number without a unit, with the digits that the user has set."""
+    return FreeCAD.Units.Quantity(number).UserString.strip()
+
+
+def percent(share):
+    """A share of 0 to 1 as percent."""
+    return f"{plain(100.0 * share)} %"

@@ -4,7 +4,7 @@ from PySide import QtGui
 
 from .. import directions, results, sweeps
 from ..engine import translate
-from ..properties import quantity
+from ..properties import percent, quantity
 from . import task
 
 
@@ -44,7 +44,7 @@ class DirectionPanel(task.Panel):
 
     def refresh(self):
         table = sweeps.direction_table(self.found)
-        rows = [(directions.text_of(direction, 3), quantity(undercut, "area"), task.percent(share), why)
+        rows = [(directions.text_of(direction, 3), quantity(undercut, "area"), percent(share), why)
                 for direction, undercut, _, share, why in table]
         task.fill(self.rows, rows)
         self.remarks.setText("\n".join(sweeps.remarks(self.found)))

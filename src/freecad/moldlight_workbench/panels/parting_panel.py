@@ -29,10 +29,14 @@ class PartingPanel(task.Panel):
         self.refusal = self.text()
         self.refresh()
 
+    def opened(self):
+        task.fit_view()
+
     def _open(self, opened):
         diagonal = self.regions.Shape.BoundBox.DiagonalLength
         self.found.Opening = results.OPENING_SHARE * diagonal if opened else 0.0
         self.document.recompute()
+        task.fit_view()
 
     def _set_fill(self, filled):
         self.found.FillUndercut = filled
@@ -51,9 +55,9 @@ class PartingPanel(task.Panel):
         self.verdict.setText(self.found.Verdict)
         task.fill(self.rows, [(words.shown(kind), quantity(length, "length"), quantity(climb, "length"), quantity(steepest, "angle"))
                               for kind, length, climb, steepest in parting.loop_table(self.found)])
-        halves = [obj for obj in self.found.InList if isinstance(getattr(obj, "Proxy", None), parting.MoldBody)]
+        halves = [obj for obj in self.found.InList
+                  if isinstance(getattr(obj, "Proxy", None), parting.MoldBody) and obj.Volume.Value]
         task.fill(self.bodies, [(half.Label, quantity(half.Volume.Value, "volume")) for half in halves],
-                  [half.Colours[0] if half.Colours else (1, 1, 1) for half in halves])
-        task.fit_rows(self.bodies)
+                  [half.Colours[0] for half in halves])
         self.refusal.setText(self.found.Refusal)
         self.refusal.setVisible(bool(self.found.Refusal))

@@ -4,7 +4,7 @@ from PySide import QtGui
 
 from .. import directions, regions, selection, window, words
 from ..engine import translate
-from ..properties import quantity
+from ..properties import percent, quantity
 from ..views import MIXED_COLOUR
 from . import task
 
@@ -107,10 +107,9 @@ class RegionsPanel(task.Panel):
         self.follows.setVisible(obj.Reference is not None)
         total = obj.TotalArea.Value or 1.0
         areas = [getattr(obj, name).Value for name in regions.REGION_PROPERTIES]
-        rows = [(words.shown(name).capitalize(), quantity(area, "area"), task.percent(area / total))
+        rows = [(words.shown(name).capitalize(), quantity(area, "area"), percent(area / total))
                 for name, area in zip(regions.engine().REGIONS, areas)]
         task.fill(self.areas, rows, obj.Colours)
-        task.fit_rows(self.areas)
         doubt = 100.0 * obj.Uncertainty.Value / total
         # Less is not seen in any figure of the panel.
         error = [translate("Moldlight", "Undercut ± {:.1g} % of the surface.").format(doubt)] if doubt >= 0.005 else []

@@ -11,10 +11,12 @@ from ..engine import Refusal, translate
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
-# Of a table, at least.
+# Of a table with more rows, at least.
 ROWS_SHOWN = 8
-# In pixels; a user may make it narrower again.
-PANEL_WIDTH = 440
+# In pixels what a panel needs beside its widest table; it is as wide as that, but no wider than that share of the window.
+# A user may make it narrower again.
+PANEL_RIM, LEAST_WIDTH, PANEL_SHARE = 80, 440, 0.55
+NO_LIMIT = 16_777_215
 
 
 def say(text):
@@ -52,17 +54,26 @@ def show(make):
         if panel is not None:
             # What is selected hides the colours.
             FreeCADGui.Selection.clearSelection()
+            panel.layout.addStretch()
             FreeCADGui.Control.showDialog(panel)
             _widen(panel.form)
+            panel.opened()
 
 
 def _widen(form):
     """Makes the dock that the form is in wide enough for its tables."""
-    dock = form.parent()
+    dock, window = form.parent(), FreeCADGui.getMainWindow()
     while dock is not None and not isinstance(dock, QtGui.QDockWidget):
         dock = dock.parent()
-    if dock is not None and dock.width() < PANEL_WIDTH:
-        FreeCADGui.getMainWindow().resizeDocks([dock], [PANEL_WIDTH], QtCore.Qt.Horizontal)
+    tables = [table.horizontalHeader().length() + PANEL_RIM for table in form.findChildren(QtGui.QTableWidget)]
+    width = max(LEAST_WIDTH, min(max(tables, default=0), int(PANEL_SHARE * window.width())))
+    if dock is not None and dock.width() < width:
+        window.resizeDocks([dock], [width], QtCore.Qt.Horizontal)
+
+
+def fit_view():
+    """Moves the camera until all is seen that is shown."""
+    FreeCADGui.SendMsgToActiveView("ViewFit")
 
 
 class Panel:
@@ -99,6 +110,9 @@ class Panel:
         FreeCADGui.Control.closeDialog()
         return True
 
+    def opened(self):
+        """Called once it stands in the window."""
+
     @property
     def shown(self):
         """The result that it shows: one of the regions', or they themselves."""
@@ -124,7 +138,6 @@ class Panel:
         table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         table.setSelectionMode(QtGui.QAbstractItemView.SingleSelection)
         table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
-        table.setMinimumHeight(table.verticalHeader().defaultSectionSize() * (ROWS_SHOWN + 1))
         if chosen is not None:
             table.itemSelectionChanged.connect(lambda: _chosen_row(table, chosen))
         self.layout.addWidget(table)
@@ -163,14 +176,14 @@ def transaction(document, title):
 
 
 def fill(table, rows, colours=()):
-    """Sets the rows of a table: texts, or (text, number to sort by). `colours`: (r, g, b) from 0 to 1 of the first
+    """Sets the rows of a table: texts. `colours`: (r, g, b) from 0 to 1 of the first
     column's mark, one a row."""
     table.blockSignals(True)
     table.setRowCount(len(rows))
     for place, row in enumerate(rows):
         for column, cell in enumerate(row):
             item = QtGui.QTableWidgetItem(cell)
-            if column:
+            if column and not cell[:1].isalpha():
                 item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
             item.setToolTip(cell)
             table.setItem(place, column, item)
@@ -179,23 +192,17 @@ def fill(table, rows, colours=()):
             mark.fill(QtGui.QColor.fromRgbF(*colours[place][:3]))
             table.item(place, 0).setIcon(QtGui.QIcon(mark))
     table.resizeColumnsToContents()
+    shown = max(1, min(len(rows), ROWS_SHOWN)) * table.verticalHeader().defaultSectionSize()
+    height = table.horizontalHeader().sizeHint().height() + shown + 2 * table.frameWidth() + 2
+    table.setMinimumHeight(height)
+    table.setMaximumHeight(height if len(rows) <= ROWS_SHOWN else NO_LIMIT)
     table.blockSignals(False)
-
-
-def fit_rows(table):
-    """Makes a table as high as its rows."""
-    rows = table.rowCount() * table.verticalHeader().defaultSectionSize()
-    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + rows + 2 * table.frameWidth() + 2)
 
 
 def _chosen_row(table, chosen):
     rows = table.selectionModel().selectedRows()
     if rows:
         chosen(rows[0].row())
-
-
-def percent(share):
-    return f"{100.0 * share:.2f} %"
 
 
 def select(obj, element=""):
