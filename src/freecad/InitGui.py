@@ -2,18 +2,9 @@
 import FreeCAD
 import FreeCADGui
 
+from moldlight_workbench import language
 
-def translations():
-    """A translation of the workbench is a file moldlight_<language>.qm in this folder."""
-    import os
-
-    import moldlight_workbench
-
-    return os.path.join(os.path.dirname(os.path.dirname(moldlight_workbench.__file__)), "translations")
-
-
-FreeCADGui.addLanguagePath(translations())
-FreeCADGui.updateLocale()
+language.install()
 
 
 class MoldlightWorkbench(FreeCADGui.Workbench):

@@ -3,7 +3,7 @@
 import FreeCAD
 import numpy
 
-from . import directions, progress, properties, shapes
+from . import directions, progress, properties, shapes, words
 from .engine import Refusal, engine, translate
 
 # A face is mixed if more than this share of it belongs to other regions than the one that has most of it.
@@ -63,7 +63,7 @@ class MoldRegions(properties.Proxy):
         properties.add_settings(obj, "classify", CLASSIFY_KEYS)
         properties.add_settings(obj, "read", ("linear_deflection", "angular_deflection_deg"))
         for name, region in zip(REGION_PROPERTIES, engine().REGIONS):
-            result(obj, "App::PropertyArea", name, tip("Moldlight", "Area of the region: {}").format(region))
+            result(obj, "App::PropertyArea", name, tip("Moldlight", "Area of the region: {}").format(words.shown(region)))
         result(obj, "App::PropertyArea", "TotalArea", tip("Moldlight", "Area of the whole surface"))
         result(obj, "App::PropertyArea", "Uncertainty", tip("Moldlight", "Uncertainty of the undercut area"))
         result(obj, "App::PropertyString", "Verdict", tip("Moldlight", "Verdict on the direction"))

@@ -1,4 +1,7 @@
-"""Words of the module's reports as FreeCAD shows them."""
+"""Words of the module's reports as FreeCAD shows them, and the table by which all texts are translated."""
+
+import csv
+import os
 
 import FreeCAD
 
@@ -27,3 +30,11 @@ _WORDS = (
 def shown(word):
     """A region, a kind of side action or of loop in the user's language."""
     return translate("Moldlight", word) if word in _WORDS else word
+
+
+def table(language):
+    """The texts in a language, as FreeCAD names it, by the English ones; empty if translations.csv has no such column."""
+    file = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "translations.csv")
+    with open(file, newline="", encoding="utf-8") as lines:
+        rows = list(csv.DictReader(lines))
+    return {row["English"]: row[language] for row in rows if row.get(language)}
