@@ -1,8 +1,9 @@
 """The tables of the page on JSON schemas against reports: no key is missing, and none is made up."""
 
+import json
 import unittest
 
-import documents  # noqa: F401, finds the tools
+import documents
 import blocks
 import json_page
 import runs
@@ -29,6 +30,13 @@ class Schemas(unittest.TestCase):
     def setUp(self):
         self.session = runs.Session()
         self.addCleanup(self.session.close)
+
+    def test_every_schema_is_in_the_first_table(self):
+        files = sorted((documents.ROOT / "docs" / "schemas").iterdir())
+        names = [json.loads(file.read_text(encoding="utf-8"))["properties"]["schema"]["const"] for file in files]
+        self.assertEqual([file.name for file in files], [name.replace("/", "-") + ".schema.json" for name in names])
+        rows = [line.split("`")[1] for line in blocks.read(json_page.PAGE) if line.startswith("| `moldlight.")]
+        self.assertEqual(sorted(rows), names)
 
     def test_tables(self):
         found = list(json_page.sections())
