@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <mutex>
 #include <new>
+#include <optional>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "base/own_files.hpp"
 #include "gl/headless_backends.hpp"
 
 namespace moldlight::gl {
@@ -82,8 +84,16 @@ void prepare_mesa_environment() {
   });
 }
 
-std::unique_ptr<Context> create_headless_context(HeadlessBackend backend, const HeadlessLibraries& libraries,
-                                                 const std::function<void(const Context&)>& inspect) {
+namespace {
+
+struct Wanted {
+  HeadlessBackend backend;
+  const std::function<void(const Context&)>& inspect;
+};
+
+/// Tries the libraries in the order that the header says; null, and why in `reasons`, if none will do.
+std::unique_ptr<Context> context_of(const HeadlessLibraries& libraries, const Wanted& wanted,
+                                    std::string& reasons) {
   using Create = std::unique_ptr<Context> (*)(const std::vector<std::string>&);
   struct Attempt {
     const char* name;
@@ -96,20 +106,47 @@ std::unique_ptr<Context> create_headless_context(HeadlessBackend backend, const 
       {"EGL surfaceless", HeadlessBackend::egl, create_egl_surfaceless_context, libraries.egl},
       {"OSMesa", HeadlessBackend::osmesa, create_osmesa_context, libraries.osmesa},
   };
-  prepare_mesa_environment();
-  const SoftwareGlLock turn(true);
-  require_room();
-  std::string reasons;
   for (const Attempt& attempt : attempts) {
-    if (backend != HeadlessBackend::automatic && backend != attempt.belongs_to) continue;
+    if (wanted.backend != HeadlessBackend::automatic && wanted.backend != attempt.belongs_to) continue;
     try {
       std::unique_ptr<Context> context = attempt.create(attempt.names);
-      if (inspect) inspect(*context);
+      if (wanted.inspect) wanted.inspect(*context);
       return context;
     } catch (const Error& error) {
       reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", attempt.name, error.what());
     }
   }
+  return nullptr;
+}
+
+/// The software GL that an archive carries beside the program, for machines that have none.
+std::optional<HeadlessLibraries> carried_libraries() {
+  constexpr const char* k_places[] = {"../lib/moldlight/gl"};
+  const auto folder = own_file(k_places);
+  if (!folder) return std::nullopt;
+  static std::once_flag once;
+  std::call_once(once, [&folder] {
+    constexpr int k_replace = 1;
+    ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", (*folder / "vendor.json").c_str(), k_replace);
+    ::setenv("LIBGL_DRIVERS_PATH", folder->c_str(), k_replace);
+    // ImGui asks for it by this name, and then gets what is open.
+    dlopen((*folder / "libGL.so.1").c_str(), RTLD_NOW | RTLD_LOCAL);
+  });
+  return HeadlessLibraries{{*folder / "libEGL.so.1"}, {*folder / "libOSMesa.so.8"}};
+}
+
+}  // namespace
+
+std::unique_ptr<Context> create_headless_context(HeadlessBackend backend, const HeadlessLibraries& libraries,
+                                                 const std::function<void(const Context&)>& inspect) {
+  prepare_mesa_environment();
+  const SoftwareGlLock turn(true);
+  require_room();
+  const Wanted wanted = {backend, inspect};
+  std::string reasons;
+  if (auto context = context_of(libraries, wanted, reasons)) return context;
+  if (const auto carried = carried_libraries())
+    if (auto context = context_of(*carried, wanted, reasons)) return context;
   throw Error(fmt::format(
       "no OpenGL 3.3 context without a window ({}); install {}", reasons,
       backend == HeadlessBackend::osmesa ? "libosmesa6" : "libegl1 and libgl1-mesa-dri, or a GPU driver"));

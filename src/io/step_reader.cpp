@@ -1,18 +1,17 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include <dlfcn.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 
 #include "base/error.hpp"
+#include "base/own_files.hpp"
 #include "io/file_contents.hpp"
 #include "io/readers.hpp"
 #include "io/step_result.hpp"
@@ -22,8 +21,6 @@
 extern char** environ;
 
 namespace moldlight {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -235,24 +232,16 @@ void check_result(const ReadContext& context, const StepResult& result) {
 }  // namespace
 
 std::optional<std::string> step_reading_program() {
-  std::error_code error;
-  std::vector<fs::path> places;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (const char* place :
-       {"moldlight-step", "../libexec/moldlight/moldlight-step", "../lib/moldlight/moldlight-step"})
-    places.push_back(folder / place);
-  // As a module of another program: from the shared library's own place, beside it, in a build folder or
-  // installed. Of the program itself the name may be relative, and says nothing.
-  Dl_info own = {};
-  if (::dladdr(&k_end_mark, &own) != 0 && own.dli_fname != nullptr && own.dli_fname[0] == '/') {
-    const fs::path library = fs::path(own.dli_fname).parent_path();
-    for (const char* place :
-         {"moldlight-step", "../../bin/moldlight-step", "../../../../libexec/moldlight/moldlight-step"})
-      places.push_back(library / place);
-  }
-  for (const fs::path& program : places)
-    if (::access(program.c_str(), X_OK) == 0) return program.string();
-  return std::nullopt;
+  // Beside the program or the module, in a build folder, or installed with either.
+  constexpr const char* k_places[] = {
+      "moldlight-step",
+      "../libexec/moldlight/moldlight-step",
+      "../../bin/moldlight-step",
+      "../../../../libexec/moldlight/moldlight-step",
+  };
+  const auto program = own_file(k_places);
+  if (!program || ::access(program->c_str(), X_OK) != 0) return std::nullopt;
+  return program->string();
 }
 
 Part read_step(const ReadContext& context) {

@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/shown_text.hpp"
+#include "picture/carried_fonts.hpp"
 
 namespace moldlight {
 
@@ -38,6 +39,7 @@ class LetterSetter::FontChain {
 };
 
 LetterSetter::FontChain::FontChain(FontWeight weight) : wanted_(FcPatternCreate()) {
+  find_carried_fonts();
   const auto add = [this](const char* family) {
     FcPatternAddString(wanted_.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
   };

@@ -15,6 +15,7 @@
 
 #include "base/owned.hpp"
 #include "picture/canvas.hpp"
+#include "picture/carried_fonts.hpp"
 
 namespace moldlight::gui {
 
@@ -62,6 +63,7 @@ using Pattern = Owned<FcPattern, FcPatternDestroy>;
 /// The installed face of this family that is nearest to the weight; an empty path where the family is not
 /// there (fontconfig would give another one).
 FontFile find_face(const char* family, int weight) {
+  find_carried_fonts();
   Pattern wanted(FcPatternCreate());
   FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
   FcPatternAddInteger(wanted.get(), FC_WEIGHT, weight);

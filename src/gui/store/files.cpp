@@ -14,6 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/own_files.hpp"
 #include "io/atomic_file.hpp"
 #include "io/png.hpp"
 
@@ -22,11 +23,6 @@ namespace moldlight::gui {
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path program_folder() {
-  std::error_code ignored;
-  return fs::read_symlink("/proc/self/exe", ignored).parent_path();
-}
 
 /// Starts the desktop's own opener and does not wait for it; false where there is none.
 bool open_on_desktop(const std::string& path) {
@@ -86,34 +82,26 @@ void write_text(const fs::path& path, const std::string& text) {
 }
 
 std::vector<std::string> shipped_parts() {
+  // Installed, or in the source tree, below which a program stands that was only built.
+  constexpr const char* k_places[] = {"../share/moldlight/parts", "../assets/parts", "../../assets/parts",
+                                      "../../../assets/parts"};
+  const auto folder = own_file(k_places);
+  if (!folder) return {};
   std::error_code error;
-  const fs::path program = program_folder();
-  std::vector<fs::path> folders = {program / "../share/moldlight/parts"};
-  // A program that was built but not installed stands some folders below the source tree.
-  for (fs::path folder = program; folder.has_relative_path(); folder = folder.parent_path())
-    folders.push_back(folder / "assets/parts");
-  for (const fs::path& folder : folders) {
-    if (!fs::is_directory(folder, error)) continue;
-    std::vector<std::string> parts;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-      if (entry.path().extension() == ".stl")
-        parts.push_back(fs::weakly_canonical(entry.path(), error).string());
-    }
-    std::sort(parts.begin(), parts.end());
-    if (!parts.empty()) return parts;
-  }
-  return {};
+  std::vector<std::string> parts;
+  for (const auto& entry : fs::directory_iterator(*folder, error))
+    if (entry.path().extension() == ".stl") parts.push_back(entry.path().string());
+  std::sort(parts.begin(), parts.end());
+  return parts;
 }
 
 std::string open_documentation() {
-  std::error_code error;
-  const fs::path page =
-      fs::weakly_canonical(program_folder() / "../share/doc/moldlight/html/index.html", error);
-  if (!fs::is_regular_file(page, error))
-    return "The documentation is not installed; its sources are in docs/";
+  constexpr const char* k_places[] = {"../share/doc/moldlight/html/index.html"};
+  const auto page = own_file(k_places);
+  if (!page) return "The documentation is not installed; its sources are in docs/";
   const bool desktop = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-  if (desktop && open_on_desktop(page.string())) return "The documentation opens in the browser";
-  return fmt::format("The documentation is {}", page.string());
+  if (desktop && open_on_desktop(page->string())) return "The documentation opens in the browser";
+  return fmt::format("The documentation is {}", page->string());
 }
 
 fs::path pictures_folder() {
