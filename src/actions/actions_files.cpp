@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "actions/action_body.hpp"
+#include "actions/action_groups.hpp"
 #include "base/error.hpp"
 #include "classify/classify_report.hpp"
 #include "classify/number_format.hpp"
@@ -60,21 +61,7 @@ Colour action_colour(std::size_t action) {
 
 void write_action_mesh(const std::string& path, const ActionsReport& report, Palette palette) {
   const SplitMesh& split = *report.result.split;
-  std::vector<MeshGroup> groups;
-  for (const Region region : k_regions)
-    groups.push_back({std::string(region_name(region)), region_colour(region, palette)});
-  const auto first = static_cast<std::uint32_t>(groups.size());
-  for (std::size_t k = 0; k < report.plan.actions.size(); ++k)
-    groups.push_back({action_name(report.plan, k), action_colour(k)});
-  const auto unreleased = static_cast<std::uint32_t>(groups.size());
-  groups.push_back({"unreleased", {110, 0, 30}});
-  std::vector<std::uint32_t> of_facet;
-  for (std::size_t k = 0; k < split.pieces.size(); ++k) {
-    const std::int32_t action = report.plan.action_of_piece[k];
-    of_facet.push_back(action >= 0                    ? first + static_cast<std::uint32_t>(action)
-                       : action == k_unreleased_piece ? unreleased
-                                                      : static_cast<std::uint32_t>(split.pieces[k].region));
-  }
+  const ActionGroups found = action_groups(report, palette);
   std::vector<MovingSolid> solids;
   for (std::size_t k = 0; k < report.plan.actions.size(); ++k) {
     const SideAction& action = report.plan.actions[k];
@@ -90,8 +77,8 @@ void write_action_mesh(const std::string& path, const ActionsReport& report, Pal
   }
   write_grouped_mesh(path,
                      {.mesh = piece_mesh(split),
-                      .groups = groups,
-                      .of_facet = of_facet,
+                      .groups = found.groups,
+                      .of_facet = found.of_piece,
                       .what = "action",
                       .title = "side actions",
                       .unit = report.model.part.unit,

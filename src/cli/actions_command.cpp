@@ -7,11 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "actions/action_groups.hpp"
 #include "actions/actions_files.hpp"
 #include "classify/headless.hpp"
 #include "classify/json.hpp"
 #include "classify/option_json.hpp"
 #include "cli/report_flags.hpp"
+#include "cli/step_output.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
@@ -50,6 +52,13 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   if (!flags.bodies.empty())
     bodies = write_action_bodies(flags.bodies, std::filesystem::path(found.model.part.file).stem().string(),
                                  found);
+  Json step;
+  if (!flags.step.empty()) {
+    ActionGroups groups = action_groups(found, flags.still.look.palette);
+    step =
+        write_step(flags, study.model(),
+                   {*result.split, std::move(groups.groups), std::move(groups.of_piece)}, console, progress);
+  }
   if (!flags.image.empty()) {
     const auto pulled = pulled_bodies(found);
     write_png(flags.image,
@@ -58,6 +67,7 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   const auto add_files = [&](Json& json) {
     for (std::size_t k = 0; k < bodies.size(); ++k)
       if (!bodies[k].empty()) json["actions"][k]["body"]["file"] = bodies[k];
+    if (!step.empty()) json["step"] = step;
   };
   return put_report(flags, study, {actions_json, report::actions_report, add_files}, context.get(), baseline,
                     console, progress);
@@ -82,6 +92,10 @@ void add_actions_command(CLI::App& program, Request& request) {
       {"--mesh", "FILE.(" + extensions_text(mesh_formats()) + ")",
        "Write the split part, each facet in the colour of the action that forms it. In OBJ and GLB, each "
        "action is a material. GLB also has the bodies, with the animation of their ways"});
+  add_step_flag(
+      *command, *flags,
+      "Write the part of a STEP file as STEP: its exact faces, split where an action's surface ends, "
+      "each with the name, colour and layer of its action or region");
   add_file_flag(*command, flags->bodies,
                 {"--bodies", "DIR", "Write the solid of each action to this folder, one STL each"});
   CLI::Option* image = add_study_outputs(*command, *flags, request,

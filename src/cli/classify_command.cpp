@@ -10,6 +10,7 @@
 #include "classify/option_json.hpp"
 #include "classify/still_picture.hpp"
 #include "cli/report_flags.hpp"
+#include "cli/step_output.hpp"
 #include "io/file_contents.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/png.hpp"
@@ -68,7 +69,8 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
     study.ask(std::move(questions));
   }
   const bool asks_draft = study.questions().draft().any();
-  const bool with_split = asks_draft || flags.drawn() || flags.files.need_split() || flags.compare_maps;
+  const bool with_split =
+      asks_draft || flags.drawn() || !flags.step.empty() || flags.files.need_split() || flags.compare_maps;
   if (flags.looks_at_maps()) {
     Classifier classifier(*context, model);
     Classification by_maps = classifier.classify(study.questions().query, progress, with_split);
@@ -84,13 +86,22 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   progress.report("writing", 0.0);
   write_outputs(flags.files, *model, result, flags.still.look.palette);
   if (!flags.draft.empty()) write_draft_csv(flags.draft, *draft);
+  Json step;
+  if (!flags.step.empty()) {
+    step = write_step(flags, *model,
+                      {*result.split, region_groups(flags.still.look.palette), region_numbers(*result.split)},
+                      console, progress);
+  }
   if (!flags.image.empty()) {
     const Image picture = StillPainter(*context, model).draw(result, flags.still, progress);
     write_png(flags.image,
               draft != nullptr ? with_draft_histogram(picture, *model, *draft, flags.still) : picture);
   }
-  return put_report(flags, study, {classify_json, report::classify_report}, context.get(), baseline, console,
-                    progress);
+  const auto add_files = [&](Json& json) {
+    if (!step.empty()) json["step"] = step;
+  };
+  return put_report(flags, study, {classify_json, report::classify_report, add_files}, context.get(),
+                    baseline, console, progress);
 }
 
 Json settings(const ClassifyFlags& flags) {
@@ -124,6 +135,10 @@ void add_classify_command(CLI::App& program, Request& request) {
        "Write the part, split at the borders of its exact regions, each facet in the colour of its "
        "region. In OBJ and GLB, each region is a material. VTP has region, draft, height, face and body of "
        "each facet"});
+  add_step_flag(
+      *command, *flags,
+      "Write the part of a STEP file as STEP: its exact faces, split at the borders of the regions, "
+      "each with the name, colour and layer of its region");
   add_file_flag(*command, files.split_folder,
                 {"--split-dir", "DIR",
                  "Write the split part to this folder, one STL per region. They share their vertices"});

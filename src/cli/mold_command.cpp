@@ -7,7 +7,9 @@
 #include "classify/json.hpp"
 #include "classify/option_json.hpp"
 #include "cli/report_flags.hpp"
+#include "cli/step_output.hpp"
 #include "io/png.hpp"
+#include "mesh/length_unit.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
 #include "study/study.hpp"
@@ -22,6 +24,28 @@ struct MoldFlags : StudyFlags {
   std::string folder;
   bool as_3mf = false, with_actions = false;
 };
+
+/// The part with each face named by what forms it, and the parting line.
+StepContent step_content(const PartModel& model, const Assignment& assignment, const PartingLine& line,
+                         Palette palette) {
+  StepContent content{.split = assignment.mesh, .groups = {}, .of_piece = {}};
+  for (const MoldSide side : k_mold_sides) {
+    const Region region = side == MoldSide::core     ? Region::core
+                          : side == MoldSide::cavity ? Region::cavity
+                                                     : Region::undercut;
+    content.groups.push_back({std::string(side_name(side)), region_colour(region, palette)});
+  }
+  for (const MoldSide side : assignment.sides) content.of_piece.push_back(static_cast<std::uint32_t>(side));
+  const double mm = model.part.unit.empty() ? 1.0 : parse_length_unit(model.part.unit).mm;
+  for (const PartingLoop& loop : line.loops) {
+    StepLine wire{fmt::format("parting line {}, {}", content.lines.size() + 1, loop_name(loop.kind)), {}};
+    for (const glm::dvec3& point : loop.points)
+      wire.points.push_back({mm * point.x, mm * point.y, mm * point.z});
+    wire.points.push_back(wire.points.front());
+    content.lines.push_back(std::move(wire));
+  }
+  return content;
+}
 
 int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   validate(flags.query.method);
@@ -39,6 +63,10 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   for (const std::string& warning : assignment.warnings) console.warning(warning);
   progress.report("writing", 0.0);
   for (const std::string& path : flags.lines) write_lines(path, lines_to_write(model, assignment, line));
+  Json step;
+  if (!flags.step.empty())
+    step = write_step(flags, model, step_content(model, assignment, line, flags.still.look.palette), console,
+                      progress);
   const std::string refusal = mold_refusal(study, progress);
   if (!flags.folder.empty() && refusal.empty()) {
     WrittenMold written = mold_halves(study, progress).written;
@@ -49,8 +77,11 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
     const MoldScene scene{model, assignment, line, mold_halves(study, progress)};
     write_png(flags.image, mold_picture(*context, scene, flags.still, progress));
   }
-  const int code =
-      put_report(flags, study, {mold_json, report::mold_report}, context.get(), baseline, console, progress);
+  const auto add_files = [&](Json& json) {
+    if (!step.empty()) json["step"] = step;
+  };
+  const int code = put_report(flags, study, {mold_json, report::mold_report, add_files}, context.get(),
+                              baseline, console, progress);
   if (flags.folder.empty() || refusal.empty()) return code;
   console.failure(refusal);
   return k_criterion_failed;
@@ -76,6 +107,10 @@ void add_mold_command(CLI::App& program, Request& request) {
       ->option_text("FILE.(" + extensions_text(line_formats()) + ")")
       ->check(named_as(extensions_text(line_formats())))
       ->allow_extra_args(false);
+  add_step_flag(
+      *command, *flags,
+      "Write the part of a STEP file as STEP: its exact faces, split at the parting line, each with "
+      "the name, colour and layer of what forms it, and the line as wires");
   CLI::Option* folder =
       add_file_flag(*command, flags->folder,
                     {"-o,--out", "DIR",

@@ -151,15 +151,23 @@ void check_outputs(const StudyFlags& flags, const std::vector<NamedPath>& files,
   std::vector<NamedPath> written = {{"--json", flags.part.json_file()}};
   std::ranges::copy(files, std::back_inserter(written));
   written.push_back({"--image", flags.image});
+  written.push_back({"--step", flags.step});
   std::ranges::copy(flags.report.files(), std::back_inserter(written));
   written.push_back({"--junit", flags.baseline.gate.junit});
   check_outputs({.inputs = {{"PART", flags.part.part}, {"--baseline", flags.baseline.file}},
                  .files = written,
                  .folder = folder});
+  if (!flags.step.empty() && flags.part.reading.repair.level >= RepairLevel::full)
+    throw UsageError("--step writes the faces of the file as they are: leave out --repair");
 }
 
 Study asked_study(const StudyFlags& flags, Questions questions, Console& console, const Progress& progress) {
   const auto model = load_part(flags.part.part, flags.part.reading, progress);
+  if (!flags.step.empty() && !model->part.has_cad_faces) {
+    throw UsageError(
+        fmt::format("--step: {} is {}, which has no exact faces; use --mesh, or a STEP file of it",
+                    one_line(flags.part.part), model->part.format));
+  }
   validate(flags.query.method, model->frame.diagonal);
   questions.query = flags.query;
   if (flags.best_direction) {

@@ -92,6 +92,7 @@ struct StudyFlags {
   BaselineFlags baseline;
   ReportFlags report;
   std::string image;
+  std::string step;  // the part's own faces
   StillSettings still;
 
   [[nodiscard]] bool drawn() const { return !image.empty() || report.any(); }

@@ -68,6 +68,8 @@ bool begins_ply(const FileBeginning& file) {
 
 bool begins_zip(const FileBeginning& file) { return file.bytes.starts_with("PK\x03\x04"); }
 
+bool begins_iges(const FileBeginning& file) { return is_iges_record(file.bytes, 'S'); }
+
 void refuse_threemf(const std::string& path, const FileBeginning&) {
   throw FileError(path, "byte 0",
                   "is a damaged or truncated zip archive (it does not begin as one); export the part again");
@@ -102,6 +104,7 @@ std::span<const PartFormat> part_formats() {
        [](Words first, Words) { return first.starts_with("ISO-10303-21"); },
        nullptr,
        read_step},
+      {"IGES", {"igs", "iges"}, false, begins_iges, nullptr, nullptr, read_iges},
   };
   return k_formats;
 }

@@ -89,6 +89,10 @@ inline constexpr double k_max_coordinate = 1e30;
 /// Solids are the bodies; facet_source holds CAD face numbers from 0; lengths are in the file's unit. Throws
 /// FileError also where this build has no STEP support, and where the file breaks the reading program.
 [[nodiscard]] Part read_step(const ReadContext& context);
+/// IGES in text, likewise; faces that no solid has are sewn to bodies.
+[[nodiscard]] Part read_iges(const ReadContext& context);
+/// Whether a line of an IGES file is a record of this section, by its 73rd letter and the number behind it.
+[[nodiscard]] bool is_iges_record(std::string_view line, char section);
 /// Path of moldlight-step: beside this program, or where an installation keeps helpers, of the program or of
 /// the Python module; none where it is nowhere of these.
 [[nodiscard]] std::optional<std::string> step_reading_program();

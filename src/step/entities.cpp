@@ -86,9 +86,10 @@ bool mirrors_or_scales(const Operator& placement) {
 
 }  // namespace
 
-FaceColours::FaceColours(const STEPControl_Reader& reader) {
+FaceColours face_colours(const STEPControl_Reader& reader) {
+  FaceColours of_face;
   STEPConstruct_Styles styles(reader.WS());
-  if (!styles.LoadStyles()) return;
+  if (!styles.LoadStyles()) return of_face;
   const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
   std::vector<std::pair<TopoDS_Shape, std::uint32_t>> of_bodies;
   for (Standard_Integer k = 1; k <= styles.NbStyles(); ++k) {
@@ -98,19 +99,15 @@ FaceColours::FaceColours(const STEPControl_Reader& reader) {
     const TopoDS_Shape shape = TransferBRep::ShapeResult(process, style->Item());
     if (shape.IsNull()) continue;
     if (shape.ShapeType() == TopAbs_FACE) {
-      of_face_.insert_or_assign(shape.TShape().get(), colour);
+      of_face.insert_or_assign(shape.TShape().get(), colour);
     } else {
       of_bodies.emplace_back(shape, colour);
     }
   }
   for (const auto& [body, colour] : of_bodies)
     for (TopExp_Explorer walk(body, TopAbs_FACE); walk.More(); walk.Next())
-      of_face_.try_emplace(walk.Current().TShape().get(), colour);
-}
-
-std::uint32_t FaceColours::of(const TopoDS_Face& face) const {
-  const auto found = of_face_.find(face.TShape().get());
-  return found == of_face_.end() ? k_no_colour : found->second;
+      of_face.try_emplace(walk.Current().TShape().get(), colour);
+  return of_face;
 }
 
 std::string mirrored_or_scaled_placement(const STEPControl_Reader& reader) {

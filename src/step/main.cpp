@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <istream>
 #include <new>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
+#include <dlfcn.h>
 #include <ext/stdio_filebuf.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -19,7 +23,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "io/step_result.hpp"
+#include "io/step_labels.hpp"
+#include "step/cad_part.hpp"
+#include "step/part_writer.hpp"
 #include "step/sandbox.hpp"
 #include "step/tessellation.hpp"
 
@@ -67,10 +73,11 @@ bool memory_ran_short() {
   return peak_address_space() + k_margin_bytes + limit.rlim_cur / k_margin_divisor > limit.rlim_cur;
 }
 
-StepResult failed(const std::string& sentence) {
+/// Of both kinds of result the error comes first.
+std::string failed(const std::string& sentence) {
   StepResult result;
   result.error = sentence;
-  return result;
+  return result.to_bytes();
 }
 
 /// Ends the program; tidying up OpenCASCADE's tables takes time and serves nobody.
@@ -87,25 +94,48 @@ StepResult failed(const std::string& sentence) {
 /// Made before memory can be short.
 const std::string& no_memory_left() {
   static const std::string bytes =
-      failed("needs more memory than is allowed; coarsen the deflection or export the part as STL")
-          .to_bytes();
+      failed("needs more memory than is allowed; coarsen the deflection or export the part as STL");
   return bytes;
 }
 
 [[noreturn]] void end_without_memory() { hand_back(no_memory_left()); }
 
-StepResult read(const moldlight::step::TessellationSettings& settings) {
+/// The part file for those who open it by name.
+std::FILE* iges_file = nullptr;
+
+std::string all_of(int descriptor) {
+  std::string bytes;
+  std::vector<char> chunk(k_buffer_bytes);
+  for (ssize_t got = 0; (got = ::read(descriptor, chunk.data(), chunk.size())) > 0;)
+    bytes.append(chunk.data(), static_cast<std::size_t>(got));
+  return bytes;
+}
+
+struct Task {
+  moldlight::step::TessellationSettings settings;
+  bool is_iges = false, writes = false;
+};
+
+/// The bytes of a StepResult, or of a StepWritten.
+std::string done(const Task& task) {
   try {
     __gnu_cxx::stdio_filebuf<char> buffer(moldlight::k_step_file_descriptor, std::ios::in, k_buffer_bytes);
     std::istream file(&buffer);
     moldlight::step::prepare();
+    if (task.is_iges) iges_file = ::fdopen(moldlight::k_step_file_descriptor, "r");
     if (const std::string fault = moldlight::step::give_up_rights(); !fault.empty()) return failed(fault);
-    return moldlight::step::tessellate(file, settings);
+    const moldlight::step::CadPart part =
+        task.is_iges ? moldlight::step::read_iges() : moldlight::step::read_step(file);
+    if (!task.writes) return moldlight::step::tessellate(part, task.settings).to_bytes();
+    moldlight::step::cut_into_triangles(part, task.settings);
+    const auto labels = moldlight::StepLabels::from_bytes(all_of(moldlight::k_step_labels_descriptor));
+    return moldlight::step::write_labelled(part, labels).to_bytes();
   } catch (const Standard_OutOfMemory&) {
     end_without_memory();
   } catch (const Standard_Failure& failure) {
-    return failed(std::string("cannot be read by OpenCASCADE (") + failure.DynamicType()->Name() +
-                  "); export the part again");
+    return failed(
+        std::string(task.writes ? "cannot be split by OpenCASCADE (" : "cannot be read by OpenCASCADE (") +
+        failure.DynamicType()->Name() + (task.writes ? "); use --mesh" : "); export the part again"));
   } catch (const std::exception& error) {
     return failed(error.what());
   }
@@ -119,21 +149,32 @@ bool is_orphan() {
 
 }  // namespace
 
-/// Arguments: linear deflection, angular deflection in degrees, facet limit, memory limit in bytes. The file
-/// is open as k_step_file_descriptor.
+/// In place of the C library's: the kernel's filter refuses to open files, and OpenCASCADE's reader of IGES
+/// knows them by name alone.
+extern "C" std::FILE* fopen(const char* name, const char* mode) {
+  if (std::string_view(name) == moldlight::step::k_iges_name) return std::exchange(iges_file, nullptr);
+  const auto real = reinterpret_cast<decltype(&std::fopen)>(::dlsym(RTLD_NEXT, "fopen"));
+  return real == nullptr ? nullptr : real(name, mode);
+}
+
+/// Arguments: linear deflection, angular deflection in degrees, facet limit, memory limit in bytes, "STEP" or
+/// "IGES", "read" or "write". The file is open as k_step_file_descriptor, and to write as it says,
+/// k_step_labels_descriptor.
 int main(int argc, char** argv) {
-  if (argc != 5) return 2;
+  if (argc != 7) return 2;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (is_orphan()) return 1;
   const rlimit no_core_file = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core_file);
   no_memory_left();
   limit_memory(std::strtoull(argv[4], nullptr, 10), end_without_memory);
-  moldlight::step::TessellationSettings settings;
-  settings.linear_deflection = std::strtod(argv[1], nullptr);
-  settings.angular_deflection_deg = std::strtod(argv[2], nullptr);
-  settings.max_facets = std::strtoull(argv[3], nullptr, 10);
-  const StepResult result = read(settings);
+  Task task;
+  task.settings.linear_deflection = std::strtod(argv[1], nullptr);
+  task.settings.angular_deflection_deg = std::strtod(argv[2], nullptr);
+  task.settings.max_facets = std::strtoull(argv[3], nullptr, 10);
+  task.is_iges = std::string_view(argv[5]) == "IGES";
+  task.writes = std::string_view(argv[6]) == "write";
+  const std::string result = done(task);
   if (memory_ran_short()) end_without_memory();
-  hand_back(result.to_bytes());
+  hand_back(result);
 }

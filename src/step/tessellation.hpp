@@ -1,10 +1,10 @@
-// Reads a STEP file with OpenCASCADE and cuts its faces into triangles that meet without gaps.
+// Cuts the faces of a part into triangles that meet without gaps.
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
 
 #include "io/step_result.hpp"
+#include "step/cad_part.hpp"
 
 namespace moldlight::step {
 
@@ -16,10 +16,11 @@ struct TessellationSettings {
   std::uint64_t max_facets = 0;
 };
 
-/// Has OpenCASCADE read what it keeps in files and in the environment, so that it needs none later.
-void prepare();
-
-/// Solids are the bodies, in the order of the file; then shells and faces that belong to none.
-[[nodiscard]] StepResult tessellate(std::istream& file, const TessellationSettings& settings);
+/// Throws std::runtime_error for a part without bounds.
+[[nodiscard]] double diagonal_mm(const CadPart& part);
+/// Gives each face its triangulation, the same for the same file.
+void cut_into_triangles(const CadPart& part, const TessellationSettings& settings);
+/// The same, and the facets: body by body, face by face. Throws std::runtime_error as read_step().
+[[nodiscard]] StepResult tessellate(const CadPart& part, const TessellationSettings& settings);
 
 }  // namespace moldlight::step

@@ -1,0 +1,56 @@
+#include "cli/step_output.hpp"
+
+#include <numeric>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "classify/cad_labels.hpp"
+#include "classify/method_options.hpp"
+#include "classify/number_format.hpp"
+#include "io/step_writer.hpp"
+
+namespace moldlight::cli {
+
+void add_step_flag(CLI::App& command, StudyFlags& flags, const std::string& help) {
+  add_file_flag(command, flags.step, {"--step", "FILE.(step|stp)", help});
+}
+
+Json write_step(const StudyFlags& flags, const PartModel& model, StepContent content, Console& console,
+                const Progress& progress) {
+  const double width = lateral_tolerance(flags.query.method, model.frame.diagonal);
+  CadLabels found = cad_labels(model, content.split, content.groups, std::move(content.of_piece), width);
+  found.labels.lines = std::move(content.lines);
+  const std::vector<std::uint32_t> failed =
+      write_step_part(flags.step, model.part, flags.part.reading, found.labels, progress);
+  const double failed_area =
+      std::accumulate(failed.begin(), failed.end(), 0.0,
+                      [&](double sum, std::uint32_t face) { return sum + found.other_areas[face]; });
+  if (!failed.empty()) {
+    console.warning(
+        fmt::format("{} of {} faces could not be split for {}: {} {} is in the colour of its face's "
+                    "largest region; --mesh has the exact borders",
+                    failed.size(), found.labels.split_faces.size(), one_line(flags.step),
+                    rounded_area(failed_area, model.health.area), powered_unit(model.part, 2)));
+  }
+  return {{"file", flags.step},
+          {"split_faces", found.labels.split_faces.size() - failed.size()},
+          {"moved_area", found.moved_area},
+          {"failed_faces", failed},
+          {"failed_area", failed_area}};
+}
+
+std::vector<MeshGroup> region_groups(Palette palette) {
+  std::vector<MeshGroup> groups;
+  for (const Region region : k_regions)
+    groups.push_back({std::string(region_name(region)), region_colour(region, palette)});
+  return groups;
+}
+
+std::vector<std::uint32_t> region_numbers(const SplitMesh& split) {
+  std::vector<std::uint32_t> numbers;
+  for (const SplitPiece& piece : split.pieces) numbers.push_back(static_cast<std::uint32_t>(piece.region));
+  return numbers;
+}
+
+}  // namespace moldlight::cli

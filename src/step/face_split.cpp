@@ -1,0 +1,527 @@
+#include "step/face_split.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include <BOPAlgo_BuilderFace.hxx>
+#include <BOPTools_AlgoTools.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTools.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_CurveRepresentation.hxx>
+#include <BRep_ListOfCurveRepresentation.hxx>
+#include <BRep_TEdge.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom2dAPI_ProjectPointOnCurve.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+
+#include "step/border_curves.hpp"
+
+namespace moldlight::step {
+
+namespace {
+
+constexpr double k_same_place = 1e-6;  // mm, of a point and a facet's side or corner
+constexpr double k_area_share = 1e-5;  // that the pieces of a face may differ from it
+constexpr std::uint32_t k_none = StepLabels::k_none;
+constexpr const char* k_changed = "has changed since it was read; run the command again";
+
+using TShape = const TopoDS_TShape*;
+
+/// A place on an edge of the part.
+struct OnEdge {
+  TopoDS_Edge edge;  // as its face has it
+  double parameter = 0.0;
+};
+
+/// A point of a border.
+struct Place {
+  gp_Pnt2d uv;
+  gp_Pnt point;
+  std::optional<OnEdge> on_edge;
+};
+
+/// The facets of a face, with the places of their corners among its parameters and on its edges.
+class FaceMesh {
+ public:
+  FaceMesh(const TopoDS_Face& face, double tolerance) : tolerance_(tolerance) {
+    mesh_ = BRep_Tool::Triangulation(face, location_);
+    if (mesh_.IsNull() || !mesh_->HasUVNodes()) throw std::runtime_error("has a face without parameters");
+    for (TopExp_Explorer walk(face, TopAbs_EDGE); walk.More(); walk.Next()) {
+      const TopoDS_Edge& edge = TopoDS::Edge(walk.Current());
+      const auto polygon = BRep_Tool::PolygonOnTriangulation(edge, mesh_, location_);
+      if (polygon.IsNull() || !polygon->HasParameters()) continue;
+      const bool pole = BRep_Tool::Degenerated(edge);
+      for (int k = 1; k <= polygon->NbNodes(); ++k) {
+        const OnEdge at{edge, polygon->Parameter(k)};
+        if (pole)
+          nodes_.insert_or_assign(polygon->Node(k), at);
+        else
+          nodes_.insert({polygon->Node(k), at});
+        if (k == 1 || pole) continue;
+        const int a = polygon->Node(k - 1), b = polygon->Node(k);
+        sides_[std::minmax(a, b)] = {edge, polygon->Parameter(a < b ? k - 1 : k),
+                                     polygon->Parameter(a < b ? k : k - 1)};
+      }
+    }
+  }
+
+  /// Of a point in facet `k`, from 0. Throws where it is not there.
+  [[nodiscard]] Place place(std::size_t k, const gp_Pnt& point) const {
+    const auto [nodes, weights, heights] = weighed(k, point);
+    Place place{{0, 0}, point, std::nullopt};
+    for (std::size_t i = 0; i < 3; ++i) place.uv.ChangeCoord() += weights[i] * mesh_->UVNode(nodes[i]).XY();
+    for (std::size_t i = 0; i < 3; ++i) {
+      if ((1.0 - weights[i]) * heights[i] > k_same_place) continue;
+      place.uv = mesh_->UVNode(nodes[i]);
+      if (const auto found = nodes_.find(nodes[i]); found != nodes_.end()) place.on_edge = found->second;
+      return place;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto side = side_at(nodes, i);
+      if (weights[i] * heights[i] > k_same_place || side == sides_.end()) continue;
+      const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
+      const double high = nodes[a] < nodes[b] ? weights[b] : weights[a];
+      const Side& on = side->second;
+      place.on_edge = OnEdge{on.edge, on.low + high * (on.high - on.low)};
+    }
+    return place;
+  }
+
+  /// Whether both points are on one side of facet `k` that is on an edge of the face.
+  [[nodiscard]] bool along_edge(std::size_t k, const gp_Pnt& from, const gp_Pnt& to) const {
+    const auto a = weighed(k, from), b = weighed(k, to);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (a.weights[i] * a.heights[i] <= k_same_place && b.weights[i] * b.heights[i] <= k_same_place &&
+          side_at(a.nodes, i) != sides_.end())
+        return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Side {
+    TopoDS_Edge edge;
+    double low = 0.0, high = 0.0;  // parameters at the nodes of lower and higher number
+  };
+  struct Weighed {
+    std::array<int, 3> nodes;
+    std::array<double, 3> weights, heights;  // of the facet over the side across from the node
+  };
+
+  [[nodiscard]] std::map<std::pair<int, int>, Side>::const_iterator side_at(const std::array<int, 3>& nodes,
+                                                                            std::size_t across) const {
+    return sides_.find(std::minmax(nodes[(across + 1) % 3], nodes[(across + 2) % 3]));
+  }
+
+  [[nodiscard]] Weighed weighed(std::size_t k, const gp_Pnt& point) const {
+    Weighed found{};
+    mesh_->Triangle(static_cast<int>(k) + 1).Get(found.nodes[0], found.nodes[1], found.nodes[2]);
+    std::array<gp_XYZ, 3> at;
+    for (std::size_t i = 0; i < 3; ++i)
+      at[i] = mesh_->Node(found.nodes[i]).Transformed(location_.Transformation()).XYZ();
+    const gp_XYZ normal = (at[1] - at[0]).Crossed(at[2] - at[0]);
+    const double square = normal.SquareModulus();
+    if (square <= 0.0) throw std::runtime_error("has a border on a facet without area");
+    gp_XYZ there(0, 0, 0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const gp_XYZ &a = at[(i + 1) % 3], &b = at[(i + 2) % 3];
+      found.weights[i] = (b - a).Crossed(point.XYZ() - a).Dot(normal) / square;
+      found.heights[i] = std::sqrt(square) / (b - a).Modulus();
+      there += found.weights[i] * at[i];
+    }
+    if ((there - point.XYZ()).Modulus() > tolerance_) throw std::runtime_error(k_changed);
+    return found;
+  }
+
+  double tolerance_;
+  TopLoc_Location location_;
+  Handle(Poly_Triangulation) mesh_;
+  std::map<int, OnEdge> nodes_;  // a pole is on its edge without length
+  std::map<std::pair<int, int>, Side> sides_;
+};
+
+/// A run of borders with the same labels on its sides, which begins and ends where others do, on an edge of
+/// the face, or closed at its own first point.
+struct Chain {
+  std::vector<Place> places;
+  std::uint32_t first = 0, last = 0;  // numbers of the end points
+  std::uint32_t left = 0, right = 0;  // in the parameters
+};
+
+/// A border comes to a pole straight along the parameters.
+void straighten(Place& pole, const Place& before, const TopoDS_Face& face) {
+  if (!pole.on_edge || !BRep_Tool::Degenerated(pole.on_edge->edge)) return;
+  double begin = 0.0, end = 0.0;
+  const auto curve = BRep_Tool::CurveOnSurface(pole.on_edge->edge, face, begin, end);
+  const Geom2dAPI_ProjectPointOnCurve nearest(before.uv, curve, begin, end);
+  if (nearest.NbPoints() == 0) return;
+  pole.on_edge->parameter = nearest.LowerDistanceParameter();
+  pole.uv = nearest.NearestPoint();
+}
+
+/// Chains of the borders of a face, whose facets begin at `first_facet`.
+std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
+                             std::span<const StepBorder> borders, double tolerance) {
+  const FaceMesh mesh(face, tolerance);
+  struct Step {
+    const StepBorder* border;
+    Place from, to;
+    bool used = false;
+  };
+  std::vector<Step> steps;
+  std::map<std::uint32_t, std::vector<std::size_t>> out, in;
+  std::set<std::uint32_t> on_edge;
+  for (const StepBorder& border : borders) {
+    const gp_Pnt from(border.from[0], border.from[1], border.from[2]),
+        to(border.to[0], border.to[1], border.to[2]);
+    const std::size_t facet = border.facet - first_facet;
+    if (mesh.along_edge(facet, from, to)) continue;
+    out[border.vertices[0]].push_back(steps.size());
+    in[border.vertices[1]].push_back(steps.size());
+    steps.push_back({&border, mesh.place(facet, from), mesh.place(facet, to)});
+    if (steps.back().from.on_edge) on_edge.insert(border.vertices[0]);
+    if (steps.back().to.on_edge) on_edge.insert(border.vertices[1]);
+  }
+  const auto passes = [&](std::uint32_t vertex) {
+    if (on_edge.contains(vertex)) return false;
+    const auto ins = in.find(vertex), outs = out.find(vertex);
+    if (ins == in.end() || outs == out.end() || ins->second.size() != 1 || outs->second.size() != 1)
+      return false;
+    const StepBorder &a = *steps[ins->second.front()].border, &b = *steps[outs->second.front()].border;
+    return a.left == b.left && a.right == b.right;
+  };
+  const bool reversed = face.Orientation() == TopAbs_REVERSED;
+  std::vector<Chain> chains;
+  const auto walk = [&](std::size_t start) {
+    const StepBorder& begin = *steps[start].border;
+    Chain chain{.places = {steps[start].from}, .first = begin.vertices[0]};
+    chain.left = reversed ? begin.right : begin.left;
+    chain.right = reversed ? begin.left : begin.right;
+    for (std::size_t k = start; !steps[k].used;) {
+      steps[k].used = true;
+      chain.places.push_back(steps[k].to);
+      chain.last = steps[k].border->vertices[1];
+      if (!passes(chain.last)) break;
+      k = out.at(chain.last).front();
+    }
+    straighten(chain.places.front(), chain.places[1], face);
+    straighten(chain.places.back(), chain.places[chain.places.size() - 2], face);
+    chains.push_back(std::move(chain));
+  };
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (!steps[k].used && !passes(steps[k].border->vertices[0])) walk(k);
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (!steps[k].used) walk(k);
+  return chains;
+}
+
+/// Files state tolerances that hold at the places that are looked at of the whole edge, but not of a piece.
+void widen_tolerance(const TopoDS_Edge& edge) {
+  constexpr int k_looks = 64;
+  constexpr double k_margin = 1.2;
+  double begin = 0.0, end = 0.0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, begin, end);
+  if (curve.IsNull()) return;
+  double off = 0.0;
+  const auto look = [&](const Handle(Geom2d_Curve) & parameters, const Handle(Geom_Surface) & surface,
+                        const TopLoc_Location& location) {
+    for (int k = 0; k <= k_looks; ++k) {
+      const double at = begin + (end - begin) * k / k_looks;
+      const gp_Pnt2d uv = parameters->Value(at);
+      const gp_Pnt there = surface->Value(uv.X(), uv.Y()).Transformed(location.Transformation());
+      off = std::max(off, there.Distance(curve->Value(at)));
+    }
+  };
+  for (const Handle(BRep_CurveRepresentation) & one : Handle(BRep_TEdge)::DownCast(edge.TShape())->Curves()) {
+    if (!one->IsCurveOnSurface()) continue;
+    const TopLoc_Location location = edge.Location() * one->Location();
+    look(one->PCurve(), one->Surface(), location);
+    if (one->IsCurveOnClosedSurface()) look(one->PCurve2(), one->Surface(), location);
+  }
+  const BRep_Builder builder;
+  builder.UpdateEdge(edge, k_margin * off);
+  for (TopoDS_Iterator walk(edge); walk.More(); walk.Next())
+    builder.UpdateVertex(TopoDS::Vertex(walk.Value()), BRep_Tool::Tolerance(edge));
+}
+
+/// The edges of the part that borders end on, cut there.
+class CutEdges {
+ public:
+  explicit CutEdges(double tolerance) : tolerance_(tolerance) {}
+
+  void ask(const OnEdge& at) { asked_[at.edge.TShape().get()].push_back(at); }
+
+  /// Once all have been asked for.
+  void cut() {
+    for (auto& [key, asked] : asked_) {
+      Cut& cut = cuts_[key];
+      const TopoDS_Edge edge = TopoDS::Edge(asked.front().edge.Oriented(TopAbs_FORWARD));
+      double begin = 0.0, end = 0.0;
+      const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, begin, end);
+      BRep_Tool::Range(edge, begin, end);
+      cut.stops = {{begin, TopExp::FirstVertex(edge)}, {end, TopExp::LastVertex(edge)}};
+      std::ranges::sort(asked, {}, &OnEdge::parameter);
+      for (const OnEdge& at : asked) {
+        const auto near = [&](const Stop& stop) {
+          return distance(curve, at.parameter, stop.parameter, end - begin) < tolerance_;
+        };
+        const std::size_t last = cut.stops.size() - 1;
+        if (near(cut.stops[last]) || near(cut.stops[last - 1])) continue;
+        if (at.parameter <= cut.stops[last - 1].parameter || at.parameter >= end) continue;
+        Stop stop{at.parameter, {}};
+        if (curve.IsNull())
+          stop.vertex = cut.stops.front().vertex;
+        else
+          BRep_Builder().MakeVertex(stop.vertex, curve->Value(at.parameter), BRep_Tool::Tolerance(edge));
+        cut.stops.insert(cut.stops.end() - 1, stop);
+      }
+      if (cut.stops.size() == 2) continue;
+      BRep_Builder().MakeWire(cut.pieces);
+      for (std::size_t k = 1; k < cut.stops.size(); ++k) {
+        TopoDS_Edge piece;
+        BOPTools_AlgoTools::MakeSplitEdge(edge, cut.stops[k - 1].vertex, cut.stops[k - 1].parameter,
+                                          cut.stops[k].vertex, cut.stops[k].parameter, piece);
+        widen_tolerance(piece);
+        BRep_Builder().Add(cut.pieces, piece);
+      }
+      cut.edge = edge;
+    }
+  }
+
+  /// Where a border that asked for this place ends: vertex and parameter.
+  [[nodiscard]] std::pair<TopoDS_Vertex, double> stop(const OnEdge& at) const {
+    const Cut& cut = cuts_.at(at.edge.TShape().get());
+    double begin = 0.0, end = 0.0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(at.edge, begin, end);
+    const Stop& nearest = *std::ranges::min_element(cut.stops, {}, [&](const Stop& stop) {
+      return std::pair(distance(curve, at.parameter, stop.parameter, 1.0),
+                       std::abs(stop.parameter - at.parameter));
+    });
+    return {nearest.vertex, nearest.parameter};
+  }
+
+  /// Adds the edge, or the pieces of it.
+  void append(const TopoDS_Edge& edge, TopTools_ListOfShape& list) const {
+    const auto found = cuts_.find(edge.TShape().get());
+    if (found == cuts_.end() || found->second.pieces.IsNull()) {
+      list.Append(edge);
+      return;
+    }
+    for (TopoDS_Iterator walk(found->second.pieces); walk.More(); walk.Next())
+      list.Append(walk.Value().Oriented(edge.Orientation()));
+  }
+
+  void replace_in(BRepTools_ReShape& shapes) const {
+    for (const auto& [key, cut] : cuts_)
+      if (!cut.pieces.IsNull()) shapes.Replace(cut.edge, cut.pieces);
+  }
+
+ private:
+  struct Stop {
+    double parameter = 0.0;
+    TopoDS_Vertex vertex;
+  };
+  struct Cut {
+    std::vector<Stop> stops;
+    TopoDS_Edge edge;
+    TopoDS_Wire pieces;  // null where it stays whole
+  };
+  /// Along a pole, where all is one point, as share of its `range`, in millionths.
+  static double distance(const Handle(Geom_Curve) & curve, double a, double b, double range) {
+    constexpr double k_millionths = 1e6;
+    return curve.IsNull() ? k_millionths * std::abs(a - b) / range
+                          : curve->Value(a).Distance(curve->Value(b));
+  }
+
+  double tolerance_;
+  std::map<TShape, std::vector<OnEdge>> asked_;
+  std::map<TShape, Cut> cuts_;
+};
+
+double area_of(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape, properties);
+  return properties.Mass();
+}
+
+/// The pieces of a face, which is looked at forward; empty where they are not sound.
+std::vector<LabelledFace> pieces_of(const TopoDS_Face& face, const std::vector<Chain>& chains,
+                                    const CutEdges& cuts, double tolerance) {
+  std::map<TShape, std::pair<std::uint32_t, std::uint32_t>> sides;
+  std::map<std::uint32_t, TopoDS_Vertex> inner;
+  TopTools_ListOfShape edges;
+  for (TopExp_Explorer walk(face, TopAbs_EDGE); walk.More(); walk.Next())
+    cuts.append(TopoDS::Edge(walk.Current()), edges);
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  for (const Chain& chain : chains) {
+    std::vector<gp_Pnt2d> points;
+    for (const Place& place : chain.places) points.push_back(place.uv);
+    const auto end = [&](const Place& place, std::uint32_t number, gp_Pnt2d& uv) {
+      if (!place.on_edge) {
+        TopoDS_Vertex& vertex = inner[number];
+        if (vertex.IsNull())
+          BRep_Builder().MakeVertex(vertex, surface->Value(uv.X(), uv.Y()), Precision::Confusion());
+        return vertex;
+      }
+      const auto [vertex, parameter] = cuts.stop(*place.on_edge);
+      // Of both curves of a seam the near one.
+      const TopoDS_Edge& edge = place.on_edge->edge;
+      std::optional<gp_Pnt2d> nearest;
+      for (const TopAbs_Orientation side : {TopAbs_FORWARD, TopAbs_REVERSED}) {
+        double first = 0.0, last = 0.0;
+        const auto curve = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(side)), face, first, last);
+        if (curve.IsNull()) continue;
+        const gp_Pnt2d at = curve->Value(parameter);
+        if (!nearest || at.Distance(uv) < nearest->Distance(uv)) nearest = at;
+      }
+      if (nearest) uv = *nearest;
+      return vertex;
+    };
+    const TopoDS_Vertex first = end(chain.places.front(), chain.first, points.front());
+    const TopoDS_Vertex last = end(chain.places.back(), chain.last, points.back());
+    for (const TopoDS_Edge& edge : border_edges(face, first, last, points, tolerance)) {
+      sides[edge.TShape().get()] = {chain.left, chain.right};
+      edges.Append(edge.Oriented(TopAbs_FORWARD));
+      edges.Append(edge.Oriented(TopAbs_REVERSED));
+    }
+  }
+  BOPAlgo_BuilderFace builder;
+  builder.SetFace(face);
+  builder.SetShapes(edges);
+  builder.Perform();
+  if (builder.HasErrors()) return {};
+  std::vector<LabelledFace> pieces;
+  double area = 0.0;
+  for (const TopoDS_Shape& shape : builder.Areas()) {
+    LabelledFace piece{TopoDS::Face(shape), k_none};
+    for (TopExp_Explorer walk(shape, TopAbs_EDGE); walk.More(); walk.Next()) {
+      const auto found = sides.find(walk.Current().TShape().get());
+      if (found == sides.end()) continue;
+      const auto [left, right] = found->second;
+      const std::uint32_t label = walk.Current().Orientation() == TopAbs_FORWARD ? left : right;
+      if (piece.label != k_none && piece.label != label) return {};
+      piece.label = label;
+    }
+    if (piece.label == k_none || !BRepCheck_Analyzer(shape).IsValid()) return {};
+    area += area_of(shape);
+    pieces.push_back(piece);
+  }
+  const double whole = area_of(face);
+  if (std::abs(area - whole) > k_area_share * whole) return {};
+  return pieces;
+}
+
+}  // namespace
+
+LabelledPart split_faces(const std::vector<TopoDS_Shape>& bodies, const StepLabels& labels) {
+  std::vector<TopoDS_Face> faces;
+  std::vector<std::uint32_t> first_facets;
+  std::uint32_t facets = 0;
+  for (const TopoDS_Shape& body : bodies) {
+    for (TopExp_Explorer walk(body, TopAbs_FACE); walk.More(); walk.Next()) {
+      faces.push_back(TopoDS::Face(walk.Current()));
+      first_facets.push_back(facets);
+      TopLoc_Location location;
+      const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(faces.back(), location);
+      if (!mesh.IsNull()) facets += static_cast<std::uint32_t>(mesh->NbTriangles());
+    }
+  }
+  if (faces.size() < labels.of_face.size()) throw std::runtime_error(k_changed);
+  for (const StepSample& sample : labels.samples) {
+    const std::uint32_t begin = first_facets.at(sample.face);
+    const std::uint32_t end = sample.face + 1 < faces.size() ? first_facets[sample.face + 1] : facets;
+    if (sample.facet < begin || sample.facet >= end) throw std::runtime_error(k_changed);
+    const auto& [x, y, z] = sample.point;
+    static_cast<void>(FaceMesh(faces[sample.face], labels.tolerance).place(sample.facet - begin, {x, y, z}));
+  }
+
+  std::map<std::uint32_t, std::vector<Chain>> chains;
+  for (std::size_t begin = 0, next = 0; begin < labels.borders.size(); begin = next) {
+    const auto above = std::ranges::upper_bound(first_facets, labels.borders[begin].facet);
+    const auto number = static_cast<std::uint32_t>(above - first_facets.begin()) - 1;
+    const std::uint32_t end = above == first_facets.end() ? facets : *above;
+    while (next < labels.borders.size() && labels.borders[next].facet < end) ++next;
+    if (next == begin) throw std::runtime_error(k_changed);
+    chains[number] = chains_of(faces[number], first_facets[number],
+                               std::span(labels.borders).subspan(begin, next - begin), labels.tolerance);
+  }
+
+  LabelledPart part;
+  std::map<std::uint32_t, std::vector<LabelledFace>> pieces;
+  std::set<std::uint32_t> failed;
+  // Anew where a face fails, so that no neighbour keeps a vertex for it.
+  for (bool again = true; again;) {
+    again = false;
+    pieces.clear();
+    CutEdges cuts(labels.tolerance);
+    for (const auto& [number, of_face] : chains) {
+      for (const Chain& chain : of_face) {
+        for (const Place* place : {&chain.places.front(), &chain.places.back()})
+          if (place->on_edge) cuts.ask(*place->on_edge);
+      }
+    }
+    cuts.cut();
+    for (const auto& [number, of_face] : chains) {
+      const TopoDS_Face forward = TopoDS::Face(faces[number].Oriented(TopAbs_FORWARD));
+      for (const double tolerance : {labels.tolerance, 1e-3 * labels.tolerance}) {
+        try {
+          pieces[number] = pieces_of(forward, of_face, cuts, tolerance);
+        } catch (const Standard_Failure&) {
+          pieces[number].clear();
+        }
+        if (!pieces[number].empty()) break;
+      }
+      if (pieces[number].empty()) failed.insert(number);
+    }
+    for (const std::uint32_t number : failed) again = chains.erase(number) > 0 || again;
+    if (again) continue;
+    const Handle(BRepTools_ReShape) shapes = new BRepTools_ReShape;
+    cuts.replace_in(*shapes);
+    for (const auto& [number, of_face] : pieces) {
+      TopoDS_Shell shell;
+      BRep_Builder().MakeShell(shell);
+      for (const LabelledFace& piece : of_face) BRep_Builder().Add(shell, piece.face);
+      shapes->Replace(faces[number].Oriented(TopAbs_FORWARD), shell);
+    }
+    for (const TopoDS_Shape& body : bodies) part.bodies.push_back(shapes->Apply(body));
+    for (std::uint32_t number = 0; number < faces.size(); ++number) {
+      if (const auto found = pieces.find(number); found != pieces.end()) {
+        for (const LabelledFace& piece : found->second) part.faces.push_back(piece);
+      } else {
+        const TopoDS_Shape face = shapes->Apply(faces[number]);
+        part.faces.push_back(
+            {TopoDS::Face(face), number < labels.of_face.size() ? labels.of_face[number] : k_none});
+      }
+    }
+  }
+  part.failed_faces.assign(failed.begin(), failed.end());
+  for (const TopoDS_Shape& body : part.bodies) BRepTools::Clean(body);
+  return part;
+}
+
+}  // namespace moldlight::step

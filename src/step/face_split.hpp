@@ -1,0 +1,30 @@
+// Splits faces of a part at the borders between labels. The borders come as chords on the facets: each point
+// goes to its place among the parameters of its face's surface, where the facet's corners have theirs.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "io/step_labels.hpp"
+
+namespace moldlight::step {
+
+struct LabelledFace {
+  TopoDS_Face face;
+  std::uint32_t label = 0;
+};
+
+struct LabelledPart {
+  std::vector<TopoDS_Shape> bodies;
+  std::vector<LabelledFace> faces;  // of the bodies
+  std::vector<std::uint32_t> failed_faces;
+};
+
+/// `bodies` have been cut into the triangles whose numbers `labels` has. A face that cannot be split soundly
+/// stays whole. Throws std::runtime_error where the borders are not on the facets.
+[[nodiscard]] LabelledPart split_faces(const std::vector<TopoDS_Shape>& bodies, const StepLabels& labels);
+
+}  // namespace moldlight::step

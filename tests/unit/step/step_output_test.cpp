@@ -1,0 +1,345 @@
+// The part's own faces in a STEP file, split, named and coloured, as OpenCASCADE reads them again; and IGES
+// beside STEP of the same part.
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <GProp_GProps.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
+#include <STEPControl_Reader.hxx>
+#include <STEPControl_Writer.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "mold/region.hpp"
+#include "step/entities.hpp"
+#include "support/process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/shared_parts.hpp"
+
+namespace moldlight::step {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+double area_of(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape, properties, 1e-9);
+  return properties.Mass();
+}
+
+double volume_of(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shape, properties, 1e-10);
+  return properties.Mass();
+}
+
+struct Read {
+  bool valid = false;
+  double volume = 0.0, area = 0.0;
+  std::size_t faces = 0, loose_edges = 0;
+  std::map<std::string, double> by_name;
+  std::map<std::string, std::uint32_t> colours;  // of names; 1 where a name has several
+};
+
+void be_silent() { Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); }
+
+Read read_again(const std::string& path) {
+  be_silent();
+  STEPControl_Reader reader;
+  Read read;
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) return read;
+  reader.TransferRoots();
+  const TopoDS_Shape shape = reader.OneShape();
+  const FaceColours colours = face_colours(reader);
+  read.valid = BRepCheck_Analyzer(shape).IsValid();
+  for (TopExp_Explorer walk(shape, TopAbs_SOLID); walk.More(); walk.Next())
+    read.volume += volume_of(walk.Current());
+  for (TopExp_Explorer walk(shape, TopAbs_EDGE, TopAbs_FACE); walk.More(); walk.Next()) ++read.loose_edges;
+  for (TopExp_Explorer walk(shape, TopAbs_FACE); walk.More(); walk.Next()) {
+    const auto entity = Handle(StepRepr_RepresentationItem)::DownCast(
+        reader.WS()->TransferReader()->EntityFromShapeResult(walk.Current().Located(TopLoc_Location()), 1));
+    const std::string name = entity.IsNull() ? "" : entity->Name()->ToCString();
+    const auto colour = colours.find(walk.Current().TShape().get());
+    const std::uint32_t rgb = colour == colours.end() ? 0 : colour->second;
+    const auto known = read.colours.try_emplace(name, rgb).first;
+    if (known->second != rgb) known->second = 1;
+    const double area = area_of(walk.Current());
+    read.by_name[name] += area;
+    read.area += area;
+    ++read.faces;
+  }
+  return read;
+}
+
+TopoDS_Shape cylinder(double radius, double length, const gp_Pnt& at, const gp_Dir& along) {
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(at, along), radius, length).Shape();
+}
+
+TopoDS_Shape box(const gp_Pnt& from, const gp_Pnt& to) { return BRepPrimAPI_MakeBox(from, to).Shape(); }
+
+TopoDS_Shape cut(const TopoDS_Shape& from, const TopoDS_Shape& what) {
+  return BRepAlgoAPI_Cut(from, what).Shape();
+}
+
+TopoDS_Shape block_with_pocket() { return cut(box({0, 0, 0}, {40, 30, 10}), box({25, -5, 4}, {35, 20, 7})); }
+
+TopoDS_Shape block_with_pin() {
+  return BRepAlgoAPI_Fuse(cut(block_with_pocket(), cylinder(6, 20, {12, 15, -5}, {0, 0, 1})),
+                          cylinder(4, 8, {32, 25, 9}, {0, 0, 1}))
+      .Shape();
+}
+
+TopoDS_Shape plate_with_cross_holes() {
+  return cut(cut(cut(box({0, 0, 0}, {60, 40, 20}), cylinder(5, 60, {30, -5, 10}, {0, 1, 0})),
+                 cylinder(3, 70, {-5, 20, 6}, {1, 0, 0})),
+             box({-1, 5, 12}, {61, 11, 17}));
+}
+
+TopoDS_Shape rounded_block() {
+  const TopoDS_Shape block = box({0, 0, 0}, {30, 30, 30});
+  BRepFilletAPI_MakeFillet fillet(block);
+  for (TopExp_Explorer walk(block, TopAbs_EDGE); walk.More(); walk.Next())
+    fillet.Add(4.0, TopoDS::Edge(walk.Current()));
+  return cut(fillet.Shape(), BRepPrimAPI_MakeSphere(gp_Pnt(0, 15, 15), 6.0).Shape());
+}
+
+struct Case {
+  std::string name;
+  TopoDS_Shape (*make)();
+  /// Error of the areas by region, as share of the surface: of planes that of rounding, of bent faces that of
+  /// the facets, on which the regions are found.
+  double area_share = 1e-6;
+  std::size_t least_split = 0;
+};
+
+class StepOutput : public testing::TestWithParam<Case> {};
+
+void expect_part(const std::string& part, const std::string& direction, double area_share,
+                 std::size_t least_split, const test::ScratchFolder& folder) {
+  const std::string out = folder.file("out.step"), json = folder.file("out.json");
+  const auto run = test::run_moldlight(
+      {"classify", part, "--direction", direction, "--step", out, "--json", json, "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json report = Json::parse(test::file_bytes(json));
+  const Json& step = report.at("step");
+  EXPECT_EQ(step.at("failed_faces").size(), 0u) << step;
+  EXPECT_GE(step.at("split_faces").get<std::size_t>(), least_split);
+  const Read before = read_again(part), after = read_again(out);
+  EXPECT_TRUE(after.valid);
+  EXPECT_NEAR(after.volume, before.volume, 1e-9 * before.volume);
+  EXPECT_NEAR(after.area, before.area, 1e-7 * before.area);
+  EXPECT_GE(after.faces, before.faces + least_split);
+  const double unit = report.at("part").at("unit") == "in" ? 25.4 * 25.4 : 1.0;
+  for (const Region region : k_regions) {
+    const std::string name(region_name(region));
+    const double there = after.by_name.contains(name) ? after.by_name.at(name) : 0.0;
+    EXPECT_NEAR(there, unit * report.at("areas").at(name).get<double>(),
+                area_share * before.area + 1.01 * unit * step.at("moved_area").get<double>())
+        << name;
+    if (!after.colours.contains(name)) continue;
+    const Colour colour = region_colour(region, Palette::paper);
+    EXPECT_EQ(after.colours.at(name), std::uint32_t(colour.r << 16 | colour.g << 8 | colour.b)) << name;
+  }
+  EXPECT_FALSE(after.by_name.contains(""));
+}
+
+TEST_P(StepOutput, IsThePartSplitAndNamed) {
+  const test::ScratchFolder folder;
+  const std::string part = folder.file("part.step");
+  be_silent();
+  STEPControl_Writer writer;
+  writer.Transfer(GetParam().make(), STEPControl_AsIs);
+  ASSERT_EQ(writer.Write(part.c_str()), IFSelect_RetDone);
+  expect_part(part, "z", GetParam().area_share, GetParam().least_split, folder);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Made, StepOutput,
+    testing::Values(Case{"block_with_pocket", block_with_pocket, 1e-6, 1},
+                    Case{"block_with_pin", block_with_pin, 1e-6, 1},
+                    Case{"cylinder_across",
+                         [] {
+                           return cylinder(10, 40, {0, 0, 0}, {1, 0, 0});
+                         },
+                         2e-2, 1},
+                    Case{"cone_across",
+                         [] {
+                           return BRepPrimAPI_MakeCone(gp_Ax2({0, 0, 0}, {0, 1, 0}), 10.0, 3.0, 30.0).Shape();
+                         },
+                         2e-2, 1},
+                    Case{"sphere", [] { return BRepPrimAPI_MakeSphere(12.0).Shape(); }, 2e-2, 1},
+                    Case{"torus", [] { return BRepPrimAPI_MakeTorus(20.0, 6.0).Shape(); }, 2e-2, 1},
+                    Case{"plate_with_cross_holes", plate_with_cross_holes, 2e-2, 3},
+                    Case{"rounded_block", rounded_block, 2e-2, 2}),
+    [](const auto& tested) { return tested.param.name; });
+
+class StepOutputOfFiles : public testing::TestWithParam<std::string> {};
+
+TEST_P(StepOutputOfFiles, IsThePartSplitAndNamed) {
+  fs::path part = test::data_folder() / GetParam();
+  if (const auto shared = test::shared_folder(); !fs::exists(part) && shared)
+    part = *shared / "parts" / GetParam();
+  if (!fs::exists(part)) GTEST_SKIP() << "not found";
+  expect_part(part.string(), "z", 2e-2, 0, test::ScratchFolder());
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, StepOutputOfFiles,
+                         testing::Values("pin_and_block_inch.step", "pins_assembly_mm.step",
+                                         "m5_base26_main.stp", "m5_watch_bottom.stp",
+                                         "trimesh_featuretype.step"),
+                         [](const auto& tested) { return fs::path(tested.param).stem().string(); });
+
+class StepFlag : public testing::Test {
+ protected:
+  void SetUp() override {
+    be_silent();
+    STEPControl_Writer writer;
+    writer.Transfer(block_with_pin(), STEPControl_AsIs);
+    ASSERT_EQ(writer.Write(part_.c_str()), IFSelect_RetDone);
+  }
+  test::ScratchFolder folder_;
+  std::string part_ = folder_.file("part.step"), out_ = folder_.file("out.step");
+};
+
+TEST_F(StepFlag, NamesFacesByTheirAction) {
+  const auto run = test::run_moldlight({"actions", part_, "--direction", "z", "--step", out_, "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Read read = read_again(out_);
+  EXPECT_TRUE(read.valid);
+  EXPECT_TRUE(read.by_name.contains("slide 1"));
+}
+
+TEST_F(StepFlag, WritesThePartingLineOfAMold) {
+  const auto run = test::run_moldlight({"mold", part_, "--direction", "z", "--step", out_, "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Read read = read_again(out_);
+  EXPECT_TRUE(read.valid);
+  EXPECT_GE(read.loose_edges, 4u);
+  EXPECT_TRUE(read.by_name.contains("core"));
+  EXPECT_TRUE(read.by_name.contains("cavity"));
+}
+
+TEST_F(StepFlag, GivesTheSameFileAgain) {
+  for (const std::string& name : {out_, folder_.file("again.step")}) {
+    const auto run = test::run_moldlight({"classify", part_, "--direction", "z", "--step", name, "--quiet"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  EXPECT_EQ(test::file_bytes(out_), test::file_bytes(folder_.file("again.step")));
+}
+
+TEST_F(StepFlag, RefusesAPartWithoutExactFaces) {
+  const std::string stl = (test::asset_folder() / "cable_clip.stl").string();
+  const auto run = test::run_moldlight({"classify", stl, "--direction", "z", "--step", out_});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.error_lines(), 1u) << run.err;
+  EXPECT_NE(run.err.find("--mesh"), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(out_));
+  EXPECT_EQ(test::run_moldlight({"classify", part_, "--direction", "z", "--step", part_}).exit_code, 2);
+}
+
+TEST_F(StepFlag, LeavesNothingHalfWritten) {
+  const fs::path program = folder_.path() / "moldlight";
+  fs::copy_file(MOLDLIGHT_BINARY, program);
+  const fs::path real = fs::path(MOLDLIGHT_BINARY).parent_path() / "moldlight-step";
+  const std::pair<std::string, std::string> ends[] = {{"exit 1", "exit code 1"},
+                                                      {"kill -SEGV $$", "signal 11"},
+                                                      {"echo nonsense >&3", "breaks"},
+                                                      {"exec cat /dev/zero >&3", "breaks"}};
+  for (const auto& [end, words] : ends) {
+    const fs::path helper = folder_.write("moldlight-step", "#!/bin/sh\n[ \"$6\" = read ] && exec '" +
+                                                                real.string() + "' \"$@\"\n" + end + "\n");
+    fs::permissions(helper, fs::perms::owner_all);
+    const auto run =
+        test::Process({program.string(), "classify", part_, "--direction", "z", "--step", out_}, {}).finish();
+    EXPECT_EQ(run.exit_code, 1) << end;
+    EXPECT_EQ(run.error_lines(), 1u) << run.err;
+    EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+    EXPECT_FALSE(fs::exists(out_)) << end;
+  }
+}
+
+TEST(IgesInput, IsTheStepFilesPart) {
+  be_silent();
+  const test::ScratchFolder folder;
+  const std::string step = folder.file("part.step"), iges = folder.file("part.igs");
+  const TopoDS_Shape part = block_with_pin();
+  STEPControl_Writer step_writer;
+  step_writer.Transfer(part, STEPControl_AsIs);
+  ASSERT_EQ(step_writer.Write(step.c_str()), IFSelect_RetDone);
+  for (const int brep : {0, 1}) {  // loose trimmed surfaces, a solid
+    for (const char* unit : {"MM", "INCH"}) {
+      IGESControl_Writer iges_writer(unit, brep);
+      iges_writer.AddShape(part);
+      iges_writer.ComputeModel();
+      ASSERT_TRUE(iges_writer.Write(iges.c_str()));
+      std::vector<Json> reports;
+      for (const std::string& file : {step, iges}) {
+        const auto run =
+            test::run_moldlight({"classify", file, "--direction", "z", "--json", "-", "--quiet"});
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        reports.push_back(Json::parse(run.out));
+      }
+      EXPECT_EQ(reports[1].at("part").at("format"), "IGES");
+      EXPECT_EQ(reports[1].at("part").at("unit"), std::string(unit) == "MM" ? "mm" : "in");
+      EXPECT_TRUE(reports[1].at("part").at("closed").get<bool>());
+      const double mm = std::string(unit) == "MM" ? 1.0 : 25.4;
+      const auto value = [&](int k, const char* a, const char* b) {
+        return reports[k].at(a).at(b).get<double>();
+      };
+      EXPECT_NEAR(mm * mm * mm * value(1, "part", "volume"), value(0, "part", "volume"), 1e-3);
+      for (const char* region : {"core", "cavity", "both", "undercut"})
+        EXPECT_NEAR(mm * mm * value(1, "areas", region), value(0, "areas", region), 1e-2) << region;
+    }
+  }
+}
+
+TEST(IgesInput, CutAnywhereEndsInOneLine) {
+  be_silent();
+  const test::ScratchFolder folder;
+  const std::string iges = folder.file("part.igs");
+  IGESControl_Writer writer("MM", 0);
+  writer.AddShape(block_with_pin());
+  writer.ComputeModel();
+  ASSERT_TRUE(writer.Write(iges.c_str()));
+  const std::string whole = test::file_bytes(iges);
+  const std::string last = whole.substr(whole.rfind('\n', whole.size() - 2) + 1);
+  for (std::size_t k = 1; k < 40; ++k) {
+    const std::size_t lines = whole.size() / 81 * k / 40;
+    for (const std::string& end : {std::string(), last}) {
+      const std::string name =
+          folder.write("cut.igs", whole.substr(0, 81 * lines + (end.empty() ? k : 0)) + end);
+      const auto run = test::run_moldlight({"info", name});
+      if (run.exit_code == 0 && !end.empty()) continue;  // what is left of it
+      EXPECT_EQ(run.exit_code, 1) << k << ": " << run.err;
+      EXPECT_EQ(run.error_lines(), 1u) << k << ": " << run.err;
+      EXPECT_EQ(run.out, "") << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace moldlight::step
