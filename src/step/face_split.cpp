@@ -12,6 +12,7 @@
 
 #include <BOPAlgo_BuilderFace.hxx>
 #include <BOPTools_AlgoTools.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
@@ -173,6 +174,10 @@ struct Chain {
   std::uint32_t left = 0, right = 0;  // in the parameters
 };
 
+gp_Pnt point_of(const std::array<double, 3>& at, const gp_Trsf& to_body) {
+  return gp_Pnt(at[0], at[1], at[2]).Transformed(to_body);
+}
+
 /// A border comes to a pole straight along the parameters.
 void straighten(Place& pole, const Place& before, const TopoDS_Face& face) {
   if (!pole.on_edge || !BRep_Tool::Degenerated(pole.on_edge->edge)) return;
@@ -186,7 +191,7 @@ void straighten(Place& pole, const Place& before, const TopoDS_Face& face) {
 
 /// Chains of the borders of a face, whose facets begin at `first_facet`.
 std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
-                             std::span<const StepBorder> borders, double tolerance) {
+                             std::span<const StepBorder> borders, const gp_Trsf& to_body, double tolerance) {
   const FaceMesh mesh(face, tolerance);
   struct Step {
     const StepBorder* border;
@@ -197,8 +202,7 @@ std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
   std::map<std::uint32_t, std::vector<std::size_t>> out, in;
   std::set<std::uint32_t> on_edge;
   for (const StepBorder& border : borders) {
-    const gp_Pnt from(border.from[0], border.from[1], border.from[2]),
-        to(border.to[0], border.to[1], border.to[2]);
+    const gp_Pnt from = point_of(border.from, to_body), to = point_of(border.to, to_body);
     const std::size_t facet = border.facet - first_facet;
     if (mesh.along_edge(facet, from, to)) continue;
     out[border.vertices[0]].push_back(steps.size());
@@ -438,12 +442,16 @@ std::vector<LabelledFace> pieces_of(const TopoDS_Face& face, const std::vector<C
 
 }  // namespace
 
-LabelledPart split_faces(const std::vector<TopoDS_Shape>& bodies, const StepLabels& labels) {
+LabelledPart split_faces(const std::vector<PlacedBody>& bodies, const StepLabels& labels) {
   std::vector<TopoDS_Face> faces;
   std::vector<std::uint32_t> first_facets;
+  std::vector<gp_Trsf> to_body;
+  std::vector<std::size_t> first_faces;  // of bodies
   std::uint32_t facets = 0;
-  for (const TopoDS_Shape& body : bodies) {
-    for (TopExp_Explorer walk(body, TopAbs_FACE); walk.More(); walk.Next()) {
+  for (const PlacedBody& body : bodies) {
+    first_faces.push_back(faces.size());
+    for (TopExp_Explorer walk(body.shape, TopAbs_FACE); walk.More(); walk.Next()) {
+      to_body.push_back(body.place.Inverted());
       faces.push_back(TopoDS::Face(walk.Current()));
       first_facets.push_back(facets);
       TopLoc_Location location;
@@ -456,8 +464,8 @@ LabelledPart split_faces(const std::vector<TopoDS_Shape>& bodies, const StepLabe
     const std::uint32_t begin = first_facets.at(sample.face);
     const std::uint32_t end = sample.face + 1 < faces.size() ? first_facets[sample.face + 1] : facets;
     if (sample.facet < begin || sample.facet >= end) throw std::runtime_error(k_changed);
-    const auto& [x, y, z] = sample.point;
-    static_cast<void>(FaceMesh(faces[sample.face], labels.tolerance).place(sample.facet - begin, {x, y, z}));
+    static_cast<void>(FaceMesh(faces[sample.face], labels.tolerance)
+                          .place(sample.facet - begin, point_of(sample.point, to_body[sample.face])));
   }
 
   std::map<std::uint32_t, std::vector<Chain>> chains;
@@ -467,8 +475,9 @@ LabelledPart split_faces(const std::vector<TopoDS_Shape>& bodies, const StepLabe
     const std::uint32_t end = above == first_facets.end() ? facets : *above;
     while (next < labels.borders.size() && labels.borders[next].facet < end) ++next;
     if (next == begin) throw std::runtime_error(k_changed);
-    chains[number] = chains_of(faces[number], first_facets[number],
-                               std::span(labels.borders).subspan(begin, next - begin), labels.tolerance);
+    chains[number] =
+        chains_of(faces[number], first_facets[number], std::span(labels.borders).subspan(begin, next - begin),
+                  to_body[number], labels.tolerance);
   }
 
   LabelledPart part;
@@ -508,19 +517,31 @@ LabelledPart split_faces(const std::vector<TopoDS_Shape>& bodies, const StepLabe
       for (const LabelledFace& piece : of_face) BRep_Builder().Add(shell, piece.face);
       shapes->Replace(faces[number].Oriented(TopAbs_FORWARD), shell);
     }
-    for (const TopoDS_Shape& body : bodies) part.bodies.push_back(shapes->Apply(body));
-    for (std::uint32_t number = 0; number < faces.size(); ++number) {
-      if (const auto found = pieces.find(number); found != pieces.end()) {
-        for (const LabelledFace& piece : found->second) part.faces.push_back(piece);
-      } else {
-        const TopoDS_Shape face = shapes->Apply(faces[number]);
-        part.faces.push_back(
-            {TopoDS::Face(face), number < labels.of_face.size() ? labels.of_face[number] : k_none});
+    for (std::uint32_t number = 0, body = 0; body < bodies.size(); ++body) {
+      const TopoDS_Shape whole = shapes->Apply(bodies[body].shape);
+      const std::size_t end = body + 1 < bodies.size() ? first_faces[body + 1] : faces.size();
+      const std::size_t begin = part.faces.size();
+      for (; number < end; ++number) {
+        if (const auto found = pieces.find(number); found != pieces.end()) {
+          for (const LabelledFace& piece : found->second) part.faces.push_back(piece);
+        } else {
+          const TopoDS_Shape face = shapes->Apply(faces[number]);
+          part.faces.push_back(
+              {TopoDS::Face(face), number < labels.of_face.size() ? labels.of_face[number] : k_none});
+        }
       }
+      BRepTools::Clean(whole);
+      if (bodies[body].place.Form() == gp_Identity) {
+        part.bodies.push_back(whole);
+        continue;
+      }
+      BRepBuilderAPI_Transform placed(whole, bodies[body].place, Standard_True);
+      part.bodies.push_back(placed.Shape());
+      for (LabelledFace& face : std::span(part.faces).subspan(begin))
+        face.face = TopoDS::Face(placed.ModifiedShape(face.face));
     }
   }
   part.failed_faces.assign(failed.begin(), failed.end());
-  for (const TopoDS_Shape& body : part.bodies) BRepTools::Clean(body);
   return part;
 }
 

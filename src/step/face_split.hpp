@@ -7,10 +7,16 @@
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <gp_Trsf.hxx>
 
 #include "io/step_labels.hpp"
 
 namespace moldlight::step {
+
+struct PlacedBody {
+  TopoDS_Shape shape;  // without a place
+  gp_Trsf place;
+};
 
 struct LabelledFace {
   TopoDS_Face face;
@@ -18,13 +24,13 @@ struct LabelledFace {
 };
 
 struct LabelledPart {
-  std::vector<TopoDS_Shape> bodies;
-  std::vector<LabelledFace> faces;  // of the bodies
+  std::vector<TopoDS_Shape> bodies;  // in their places, which are in their coordinates
+  std::vector<LabelledFace> faces;   // of the bodies
   std::vector<std::uint32_t> failed_faces;
 };
 
 /// `bodies` have been cut into the triangles whose numbers `labels` has. A face that cannot be split soundly
 /// stays whole. Throws std::runtime_error where the borders are not on the facets.
-[[nodiscard]] LabelledPart split_faces(const std::vector<TopoDS_Shape>& bodies, const StepLabels& labels);
+[[nodiscard]] LabelledPart split_faces(const std::vector<PlacedBody>& bodies, const StepLabels& labels);
 
 }  // namespace moldlight::step

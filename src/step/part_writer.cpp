@@ -50,15 +50,16 @@ Handle(TCollection_HAsciiString) text(const std::string& value) {
 }
 
 /// Bodies whose faces are theirs alone, which those of an assembly that has one part twice are not.
-std::vector<TopoDS_Shape> own_bodies(const CadPart& part) {
-  std::vector<TopoDS_Shape> bodies;
+std::vector<PlacedBody> own_bodies(const CadPart& part) {
+  std::vector<PlacedBody> bodies;
   std::set<const TopoDS_TShape*> seen;
   for (const CadBody& body : part.bodies) {
+    PlacedBody own{body.shape.Located(TopLoc_Location()), body.shape.Location().Transformation()};
     bool shared = false;
-    for (TopExp_Explorer walk(body.shape, TopAbs_FACE); walk.More(); walk.Next())
+    for (TopExp_Explorer walk(own.shape, TopAbs_FACE); walk.More(); walk.Next())
       shared = !seen.insert(walk.Current().TShape().get()).second || shared;
-    bodies.push_back(shared ? BRepBuilderAPI_Copy(body.shape, Standard_True, Standard_True).Shape()
-                            : body.shape);
+    if (shared) own.shape = BRepBuilderAPI_Copy(own.shape, Standard_True, Standard_True).Shape();
+    bodies.push_back(own);
   }
   return bodies;
 }
@@ -161,7 +162,9 @@ void name_products(const Handle(StepData_StepModel) & model, const std::string& 
   for (int k = 1; k <= model->NbEntities(); ++k) {
     const auto product = Handle(StepBasic_Product)::DownCast(model->Value(k));
     if (product.IsNull()) continue;
-    const std::string name = count == 0 ? part : labels.lines.at(count - 1).name;
+    const std::string name = count == 0                     ? part
+                             : count <= labels.lines.size() ? labels.lines[count - 1].name
+                                                            : "";
     product->SetName(text(name.empty() ? "part" : name));
     product->SetId(product->Name());
     ++count;
@@ -171,13 +174,13 @@ void name_products(const Handle(StepData_StepModel) & model, const std::string& 
 }  // namespace
 
 StepWritten write_labelled(const CadPart& part, const StepLabels& labels) {
-  std::vector<TopoDS_Shape> bodies = own_bodies(part);
-  LabelledPart labelled = split_faces(bodies, labels);
+  LabelledPart labelled = split_faces(own_bodies(part), labels);
   std::erase_if(labelled.faces, [](const LabelledFace& face) { return face.label == StepLabels::k_none; });
   std::set<const TopoDS_TShape*> shown;
   for (const LabelledFace& face : labelled.faces) shown.insert(face.face.TShape().get());
   Interface_Static::SetCVal("write.step.unit", "MM");
   Interface_Static::SetCVal("write.step.schema", "AP214IS");
+  Interface_Static::SetIVal("write.step.assembly", 0);
   TopoDS_Compound all;
   const BRep_Builder builder;
   builder.MakeCompound(all);
