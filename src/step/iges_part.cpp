@@ -12,6 +12,7 @@
 #include <IGESControl_Reader.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <Interface_CheckIterator.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -21,6 +22,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <XSControl_WorkSession.hxx>
 
 #include "step/cad_part.hpp"
 
@@ -58,6 +60,12 @@ LengthUnit unit_of(const IGESData_GlobalSection& global, CadPart& part) {
   if (const auto unit = find_length_unit(word)) return *unit;
   part.warnings.push_back("the length unit of the IGES file is unknown; lengths are in millimetres");
   return {"mm", 1.0};
+}
+
+std::size_t count_failed(Interface_CheckIterator checks) {
+  std::size_t count = 0;
+  for (checks.Start(); checks.More(); checks.Next()) count += checks.Value()->HasFailed() ? 1 : 0;
+  return count;
 }
 
 /// Faces that no solid has, joined where they meet: solids where that closes them, else shells and faces.
@@ -98,6 +106,11 @@ CadPart read_iges() {
   const Handle(IGESData_IGESModel) model = reader.IGESModel();
   part.unit = unit_of(model->GlobalSection(), part);
   reader.TransferRoots();
+  const std::size_t faulty =
+      count_failed(reader.WS()->ModelCheckList()) + count_failed(reader.WS()->LastRunCheckList());
+  if (faulty > 0)
+    part.warnings.push_back(std::to_string(faulty) + (faulty == 1 ? " entity" : " entities") +
+                            " of the IGES file cannot be taken over; some of the part may be missing");
   const TopoDS_Shape shape = reader.OneShape();
   if (shape.IsNull()) throw std::runtime_error("holds no shape; export the part as a solid");
   for (TopExp_Explorer walk(shape, TopAbs_SOLID); walk.More(); walk.Next())
