@@ -34,11 +34,11 @@ namespace moldlight::step {
 
 namespace {
 
-constexpr double k_corner_rad = 0.35;    // a curve that bends by more at a point ends there
-constexpr double k_arc_step_rad = 0.55;  // points on an arc are no farther apart
-constexpr double k_arc_rise = 15.0;      // and rise no more over their chord, in tolerances
-constexpr double k_margin = 1.2;         // of tolerances over what was measured
-constexpr std::size_t k_arc_points = 4;  // on an arc, at least
+constexpr double k_corner_rad = 0.35;       // a curve that bends by more at a point ends there
+constexpr double k_arc_step_rad = 0.55;     // points on an arc are no farther apart
+constexpr double k_arc_rise = 15.0;         // and rise no more over their chord, in tolerances
+constexpr double k_tolerance_margin = 1.2;  // of tolerances over what was measured
+constexpr std::size_t k_arc_points = 4;     // on an arc, at least
 
 using Points = std::vector<gp_Pnt2d>;
 
@@ -172,8 +172,8 @@ class EdgeMaker {
     const int looks = 16 * pieces;
     for (int k = 0; k <= looks; ++k) {
       const double at = begin + (end - begin) * k / looks;
-      tolerance =
-          std::max(tolerance, k_margin * curve->Value(at).Distance(ground_.at(parameters->Value(at))));
+      tolerance = std::max(tolerance,
+                           k_tolerance_margin * curve->Value(at).Distance(ground_.at(parameters->Value(at))));
     }
     TopoDS_Edge edge;
     builder.MakeEdge(edge, curve, tolerance);
@@ -186,7 +186,7 @@ class EdgeMaker {
     for (const auto& [vertex, at] : {std::pair(from_, begin), std::pair(to, end)}) {
       const double off = std::max(curve->Value(at).Distance(BRep_Tool::Pnt(vertex)),
                                   ground_.at(parameters->Value(at)).Distance(BRep_Tool::Pnt(vertex)));
-      builder.UpdateVertex(vertex, std::max(tolerance, k_margin * off));
+      builder.UpdateVertex(vertex, std::max(tolerance, k_tolerance_margin * off));
     }
     edges_.push_back(edge);
     from_ = to;

@@ -23,8 +23,13 @@
 #include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom2dAPI_InterCurveCurve.hxx>
 #include <Geom2dAPI_ProjectPointOnCurve.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
@@ -48,6 +53,8 @@ namespace {
 
 constexpr double k_same_place = 1e-6;  // mm, of a point and a facet's side or corner
 constexpr double k_area_share = 1e-5;  // that the pieces of a face may differ from it
+constexpr double k_near = 0.1;         // of a border and an edge that it runs along, in tolerances
+constexpr double k_band = 15.0;        // beside a bent outline, in tolerances
 constexpr std::uint32_t k_none = StepLabels::k_none;
 constexpr const char* k_changed = "has changed since it was read; run the command again";
 
@@ -69,7 +76,8 @@ struct Place {
 /// The facets of a face, with the places of their corners among its parameters and on its edges.
 class FaceMesh {
  public:
-  FaceMesh(const TopoDS_Face& face, double tolerance) : tolerance_(tolerance) {
+  FaceMesh(const TopoDS_Face& face, double tolerance)
+      : tolerance_(tolerance), near_(std::max(k_same_place, k_near * tolerance)) {
     mesh_ = BRep_Tool::Triangulation(face, location_);
     if (mesh_.IsNull() || !mesh_->HasUVNodes()) throw std::runtime_error("has a face without parameters");
     for (TopExp_Explorer walk(face, TopAbs_EDGE); walk.More(); walk.Next()) {
@@ -104,7 +112,7 @@ class FaceMesh {
     }
     for (std::size_t i = 0; i < 3; ++i) {
       const auto side = side_at(nodes, i);
-      if (weights[i] * heights[i] > k_same_place || side == sides_.end()) continue;
+      if (weights[i] * heights[i] > near_ || side == sides_.end()) continue;
       const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
       const double high = nodes[a] < nodes[b] ? weights[b] : weights[a];
       const Side& on = side->second;
@@ -117,7 +125,7 @@ class FaceMesh {
   [[nodiscard]] bool along_edge(std::size_t k, const gp_Pnt& from, const gp_Pnt& to) const {
     const auto a = weighed(k, from), b = weighed(k, to);
     for (std::size_t i = 0; i < 3; ++i) {
-      if (a.weights[i] * a.heights[i] <= k_same_place && b.weights[i] * b.heights[i] <= k_same_place &&
+      if (a.weights[i] * a.heights[i] <= near_ && b.weights[i] * b.heights[i] <= near_ &&
           side_at(a.nodes, i) != sides_.end())
         return true;
     }
@@ -159,7 +167,7 @@ class FaceMesh {
     return found;
   }
 
-  double tolerance_;
+  double tolerance_, near_;  // of a point and its facet; of a point and an edge
   TopLoc_Location location_;
   Handle(Poly_Triangulation) mesh_;
   std::map<int, OnEdge> nodes_;  // a pole is on its edge without length
@@ -189,6 +197,40 @@ void straighten(Place& pole, const Place& before, const TopoDS_Face& face) {
   pole.uv = nearest.NearestPoint();
 }
 
+/// Facets leave their bent outline by the deflection, and a border that begins along it leaves the face
+/// there: it goes straight to the outline from its first point, from the front, that is farther than `band`.
+/// False for one that stays there all the way.
+bool leave_outline(std::vector<Place>& places, const TopoDS_Face& face, double band) {
+  if (!places.front().on_edge || BRep_Tool::Degenerated(places.front().on_edge->edge)) return true;
+  OnEdge& at = *places.front().on_edge;
+  double begin = 0.0, end = 0.0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(at.edge, begin, end);
+  const auto outline = BRep_Tool::CurveOnSurface(at.edge, face, begin, end);
+  if (outline.IsNull() || Geom2dAdaptor_Curve(outline).GetType() == GeomAbs_Line) return true;
+  std::size_t first = 1;
+  for (; first + 1 < places.size(); ++first) {
+    const GeomAPI_ProjectPointOnCurve nearest(places[first].point, curve, begin, end);
+    if (nearest.NbPoints() == 0 || nearest.LowerDistance() > band) break;
+  }
+  if (first + 1 == places.size() && places.back().on_edge && places.back().on_edge->edge.IsSame(at.edge))
+    return false;
+  places.erase(places.begin() + 1, places.begin() + static_cast<std::ptrdiff_t>(first));
+  const gp_Pnt2d from = places[1].uv;
+  const gp_Vec2d way(from, places[0].uv);
+  if (way.Magnitude() <= gp::Resolution()) return true;
+  const Handle(Geom2d_Curve) line = new Geom2d_TrimmedCurve(new Geom2d_Line(from, way), 0.0, way.Magnitude());
+  const Geom2dAPI_InterCurveCurve meets(line, new Geom2d_TrimmedCurve(outline, begin, end));
+  double nearest = way.Magnitude();
+  for (int k = 1; k <= meets.NbPoints(); ++k) {
+    const IntRes2d_IntersectionPoint& met = meets.Intersector().Point(k);
+    if (met.ParamOnFirst() >= nearest) continue;
+    nearest = met.ParamOnFirst();
+    at.parameter = met.ParamOnSecond();
+    places[0].uv = met.Value();
+  }
+  return true;
+}
+
 /// Chains of the borders of a face, whose facets begin at `first_facet`.
 std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
                              std::span<const StepBorder> borders, const gp_Trsf& to_body, double tolerance) {
@@ -200,7 +242,7 @@ std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
   };
   std::vector<Step> steps;
   std::map<std::uint32_t, std::vector<std::size_t>> out, in;
-  std::set<std::uint32_t> on_edge;
+  std::map<std::uint32_t, OnEdge> on_edge;
   for (const StepBorder& border : borders) {
     const gp_Pnt from = point_of(border.from, to_body), to = point_of(border.to, to_body);
     const std::size_t facet = border.facet - first_facet;
@@ -208,8 +250,16 @@ std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
     out[border.vertices[0]].push_back(steps.size());
     in[border.vertices[1]].push_back(steps.size());
     steps.push_back({&border, mesh.place(facet, from), mesh.place(facet, to)});
-    if (steps.back().from.on_edge) on_edge.insert(border.vertices[0]);
-    if (steps.back().to.on_edge) on_edge.insert(border.vertices[1]);
+    if (steps.back().from.on_edge) on_edge.try_emplace(border.vertices[0], *steps.back().from.on_edge);
+    if (steps.back().to.on_edge) on_edge.try_emplace(border.vertices[1], *steps.back().to.on_edge);
+  }
+  // A facet that only touches an edge of the face does not know that it does.
+  for (Step& step : steps) {
+    for (const auto& [place, vertex] :
+         {std::pair(&step.from, step.border->vertices[0]), std::pair(&step.to, step.border->vertices[1])}) {
+      if (const auto found = on_edge.find(vertex); found != on_edge.end() && !place->on_edge)
+        place->on_edge = found->second;
+    }
   }
   const auto passes = [&](std::uint32_t vertex) {
     if (on_edge.contains(vertex)) return false;
@@ -233,8 +283,13 @@ std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
       if (!passes(chain.last)) break;
       k = out.at(chain.last).front();
     }
-    straighten(chain.places.front(), chain.places[1], face);
-    straighten(chain.places.back(), chain.places[chain.places.size() - 2], face);
+    bool kept = true;
+    for (int side = 0; side < 2; ++side) {
+      straighten(chain.places.front(), chain.places[1], face);
+      kept = leave_outline(chain.places, face, k_band * tolerance) && kept;
+      std::ranges::reverse(chain.places);
+    }
+    if (!kept) return;
     chains.push_back(std::move(chain));
   };
   for (std::size_t k = 0; k < steps.size(); ++k)
@@ -247,7 +302,6 @@ std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
 /// Files state tolerances that hold at the places that are looked at of the whole edge, but not of a piece.
 void widen_tolerance(const TopoDS_Edge& edge) {
   constexpr int k_looks = 64;
-  constexpr double k_margin = 1.2;
   double begin = 0.0, end = 0.0;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, begin, end);
   if (curve.IsNull()) return;
@@ -268,7 +322,7 @@ void widen_tolerance(const TopoDS_Edge& edge) {
     if (one->IsCurveOnClosedSurface()) look(one->PCurve2(), one->Surface(), location);
   }
   const BRep_Builder builder;
-  builder.UpdateEdge(edge, k_margin * off);
+  builder.UpdateEdge(edge, 1.2 * off);
   for (TopoDS_Iterator walk(edge); walk.More(); walk.Next())
     builder.UpdateVertex(TopoDS::Vertex(walk.Value()), BRep_Tool::Tolerance(edge));
 }
@@ -369,7 +423,7 @@ class CutEdges {
 
 double area_of(const TopoDS_Shape& shape) {
   GProp_GProps properties;
-  BRepGProp::SurfaceProperties(shape, properties);
+  BRepGProp::SurfaceProperties(shape, properties, 0.1 * k_area_share);
   return properties.Mass();
 }
 
