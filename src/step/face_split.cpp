@@ -105,9 +105,11 @@ class FaceMesh {
     Place place{{0, 0}, point, std::nullopt};
     for (std::size_t i = 0; i < 3; ++i) place.uv.ChangeCoord() += weights[i] * mesh_->UVNode(nodes[i]).XY();
     for (std::size_t i = 0; i < 3; ++i) {
-      if ((1.0 - weights[i]) * heights[i] > k_same_place) continue;
+      const auto found = nodes_.find(nodes[i]);
+      const double corner = corner_of(nodes[i]).Distance(point);
+      if (corner > (found == nodes_.end() ? k_same_place : near_)) continue;
       place.uv = mesh_->UVNode(nodes[i]);
-      if (const auto found = nodes_.find(nodes[i]); found != nodes_.end()) place.on_edge = found->second;
+      if (found != nodes_.end()) place.on_edge = found->second;
       return place;
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -147,12 +149,15 @@ class FaceMesh {
     return sides_.find(std::minmax(nodes[(across + 1) % 3], nodes[(across + 2) % 3]));
   }
 
+  [[nodiscard]] gp_Pnt corner_of(int node) const {
+    return mesh_->Node(node).Transformed(location_.Transformation());
+  }
+
   [[nodiscard]] Weighed weighed(std::size_t k, const gp_Pnt& point) const {
     Weighed found{};
     mesh_->Triangle(static_cast<int>(k) + 1).Get(found.nodes[0], found.nodes[1], found.nodes[2]);
     std::array<gp_XYZ, 3> at;
-    for (std::size_t i = 0; i < 3; ++i)
-      at[i] = mesh_->Node(found.nodes[i]).Transformed(location_.Transformation()).XYZ();
+    for (std::size_t i = 0; i < 3; ++i) at[i] = corner_of(found.nodes[i]).XYZ();
     const gp_XYZ normal = (at[1] - at[0]).Crossed(at[2] - at[0]);
     const double square = normal.SquareModulus();
     if (square <= 0.0) throw std::runtime_error("has a border on a facet without area");
@@ -247,9 +252,11 @@ std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
     const gp_Pnt from = point_of(border.from, to_body), to = point_of(border.to, to_body);
     const std::size_t facet = border.facet - first_facet;
     if (mesh.along_edge(facet, from, to)) continue;
+    Step step{&border, mesh.place(facet, from), mesh.place(facet, to)};
+    if (step.from.on_edge && step.to.on_edge && from.Distance(to) < k_near * tolerance) continue;
     out[border.vertices[0]].push_back(steps.size());
     in[border.vertices[1]].push_back(steps.size());
-    steps.push_back({&border, mesh.place(facet, from), mesh.place(facet, to)});
+    steps.push_back(std::move(step));
     if (steps.back().from.on_edge) on_edge.try_emplace(border.vertices[0], *steps.back().from.on_edge);
     if (steps.back().to.on_edge) on_edge.try_emplace(border.vertices[1], *steps.back().to.on_edge);
   }
