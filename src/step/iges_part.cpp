@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -30,8 +29,7 @@ namespace moldlight::step {
 
 namespace {
 
-// Gaps that are closed, as shares of the diagonal: at least, and where the file says that it is less exact.
-constexpr double k_sewn_share = 2e-5, k_most_sewn_share = 1e-4;
+constexpr double k_sewn_share = 1e-4;  // gaps that are closed, of the diagonal
 
 LengthUnit unit_of(const IGESData_GlobalSection& global, CadPart& part) {
   const char* word = "";
@@ -69,14 +67,12 @@ std::size_t count_failed(Interface_CheckIterator checks) {
 }
 
 /// Faces that no solid has, joined where they meet: solids where that closes them, else shells and faces.
-std::vector<TopoDS_Shape> sewn(const TopoDS_Shape& shape, double resolution_mm) {
+std::vector<TopoDS_Shape> sewn(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::Add(shape, box, Standard_False);
   if (box.IsVoid() || box.IsOpen())
     throw std::runtime_error("holds no bounded shape; export the part as a solid");
-  const double diagonal = std::sqrt(box.SquareExtent());
-  BRepBuilderAPI_Sewing sewing(
-      std::clamp(resolution_mm, k_sewn_share * diagonal, k_most_sewn_share * diagonal));
+  BRepBuilderAPI_Sewing sewing(k_sewn_share * std::sqrt(box.SquareExtent()));
   std::vector<TopoDS_Shape> bodies;
   bool any = false;
   for (TopExp_Explorer walk(shape, TopAbs_FACE, TopAbs_SOLID); walk.More(); walk.Next(), any = true)
@@ -115,8 +111,7 @@ CadPart read_iges() {
   if (shape.IsNull()) throw std::runtime_error("holds no shape; export the part as a solid");
   for (TopExp_Explorer walk(shape, TopAbs_SOLID); walk.More(); walk.Next())
     part.bodies.push_back({walk.Current(), ""});
-  for (const TopoDS_Shape& body : sewn(shape, model->GlobalSection().Resolution() * part.unit.mm))
-    part.bodies.push_back({body, ""});
+  for (const TopoDS_Shape& body : sewn(shape)) part.bodies.push_back({body, ""});
   if (part.bodies.empty()) throw std::runtime_error("holds no face; export the part as a solid");
   return part;
 }

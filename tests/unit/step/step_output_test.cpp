@@ -139,7 +139,7 @@ struct Case {
 class StepOutput : public testing::TestWithParam<Case> {};
 
 void expect_part(const std::string& part, const std::string& direction, double area_share,
-                 std::size_t least_split, const test::ScratchFolder& folder) {
+                 std::size_t least_split, const test::ScratchFolder& folder, double same_share = 1e-9) {
   const std::string out = folder.file("out.step"), json = folder.file("out.json");
   const auto run = test::run_moldlight(
       {"classify", part, "--direction", direction, "--step", out, "--json", json, "--quiet"});
@@ -150,8 +150,8 @@ void expect_part(const std::string& part, const std::string& direction, double a
   EXPECT_GE(step.at("split_faces").get<std::size_t>(), least_split);
   const Read before = read_again(part), after = read_again(out);
   EXPECT_TRUE(after.valid);
-  EXPECT_NEAR(after.volume, before.volume, 1e-9 * before.volume);
-  EXPECT_NEAR(after.area, before.area, 1e-7 * before.area);
+  EXPECT_NEAR(after.volume, before.volume, same_share * before.volume);
+  EXPECT_NEAR(after.area, before.area, same_share * before.area);
   EXPECT_GE(after.faces, before.faces + least_split);
   const double unit = report.at("part").at("unit") == "in" ? 25.4 * 25.4 : 1.0;
   for (const Region region : k_regions) {
@@ -204,7 +204,9 @@ TEST_P(StepOutputOfFiles, IsThePartSplitAndNamed) {
   if (const auto shared = test::shared_folder(); !fs::exists(part) && shared)
     part = *shared / "parts" / GetParam();
   if (!fs::exists(part)) GTEST_SKIP() << "not found";
-  expect_part(part.string(), "z", 2e-2, 0, test::ScratchFolder());
+  // Edges of these are off their surfaces: OpenCASCADE alone, reading and writing, changes them by 2e-5.
+  const bool inexact = GetParam().starts_with("m5_");
+  expect_part(part.string(), "z", 2e-2, 0, test::ScratchFolder(), inexact ? 1e-4 : 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, StepOutputOfFiles,
@@ -252,7 +254,7 @@ TEST_F(StepFlag, GivesTheSameFileAgain) {
 }
 
 TEST_F(StepFlag, RefusesAPartWithoutExactFaces) {
-  const std::string stl = (test::asset_folder() / "cable_clip.stl").string();
+  const std::string stl = (test::asset_folder() / "parts" / "cable_clip.stl").string();
   const auto run = test::run_moldlight({"classify", stl, "--direction", "z", "--step", out_});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.error_lines(), 1u) << run.err;
@@ -310,7 +312,8 @@ TEST(IgesInput, IsTheStepFilesPart) {
       const auto value = [&](int k, const char* a, const char* b) {
         return reports[k].at(a).at(b).get<double>();
       };
-      EXPECT_NEAR(mm * mm * mm * value(1, "part", "volume"), value(0, "part", "volume"), 1e-3);
+      EXPECT_NEAR(mm * mm * mm * value(1, "part", "volume"), value(0, "part", "volume"),
+                  1e-5 * value(0, "part", "volume"));
       for (const char* region : {"core", "cavity", "both", "undercut"})
         EXPECT_NEAR(mm * mm * value(1, "areas", region), value(0, "areas", region), 1e-2) << region;
     }
