@@ -201,8 +201,8 @@ CadLabels cad_labels(const PartModel& model, const SplitMesh& split, std::span<c
   std::ranges::sort(labels.borders, {},
                     [](const StepBorder& border) { return std::tuple(border.facet, border.vertices); });
   std::ranges::sort(labels.split_faces);
-  const auto rest = std::ranges::unique(labels.split_faces);
-  labels.split_faces.erase(rest.begin(), rest.end());
+  labels.split_faces.erase(std::unique(labels.split_faces.begin(), labels.split_faces.end()),
+                           labels.split_faces.end());
   return found;
 }
 

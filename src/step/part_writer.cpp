@@ -155,19 +155,12 @@ void transfer(STEPControl_Writer& writer, const TopoDS_Shape& shape) {
     throw std::runtime_error("cannot be written by OpenCASCADE as STEP; use --mesh");
 }
 
-/// The part, then a product a line, as they were transferred.
-void name_products(const Handle(StepData_StepModel) & model, const std::string& part,
-                   const StepLabels& labels) {
-  std::size_t count = 0;
+void name_product(const Handle(StepData_StepModel) & model, const std::string& name) {
   for (int k = 1; k <= model->NbEntities(); ++k) {
     const auto product = Handle(StepBasic_Product)::DownCast(model->Value(k));
     if (product.IsNull()) continue;
-    const std::string name = count == 0                     ? part
-                             : count <= labels.lines.size() ? labels.lines[count - 1].name
-                                                            : "";
     product->SetName(text(name.empty() ? "part" : name));
     product->SetId(product->Name());
-    ++count;
   }
 }
 
@@ -195,16 +188,22 @@ StepWritten write_labelled(const CadPart& part, const StepLabels& labels) {
   }
   if (kept.empty()) throw std::runtime_error("has no body to write");
   STEPControl_Writer writer;
-  const TopoDS_Shape& written = kept.size() == 1 ? labelled.bodies[kept.front()] : all;
+  std::vector<TopoDS_Wire> wires;
+  for (const StepLine& line : labels.lines) {
+    wires.push_back(wire_of(line));
+    builder.Add(all, wires.back());
+  }
+  // One product, of the lines too: several that stand beside each other end FreeCAD 0.20.
+  const TopoDS_Shape& written = kept.size() == 1 && wires.empty() ? labelled.bodies[kept.front()] : all;
   transfer(writer, written);
-  for (const StepLine& line : labels.lines) transfer(writer, wire_of(line));
   Labeller labeller(writer, labels);
+  for (std::size_t k = 0; k < wires.size(); ++k) labeller.name(wires[k], labels.lines[k].name);
   for (const std::size_t k : kept) labeller.name(labelled.bodies[k], part.bodies[k].name);
   for (const LabelledFace& face : labelled.faces) labeller.add(face);
   labeller.finish(written);
 
   const Handle(StepData_StepModel) model = Handle(StepData_StepModel)::DownCast(writer.WS()->Model());
-  name_products(model, kept.size() == 1 ? part.bodies[kept.front()].name : "", labels);
+  name_product(model, kept.size() == 1 ? part.bodies[kept.front()].name : "");
   APIHeaderSection_MakeHeader header(model);
   header.SetTimeStamp(text("1970-01-01T00:00:00"));
   header.SetAuthorValue(1, text(""));

@@ -204,6 +204,27 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"rounded_block", rounded_block, 2e-2, 2}),
     [](const auto& tested) { return tested.param.name; });
 
+/// FreeCAD 0.20 ends at several products that stand beside each other.
+TEST(StepOutputOfMolds, HasThePartingLineInTheProductOfThePart) {
+  const test::ScratchFolder folder;
+  const std::string part = folder.file("part.step"), out = folder.file("out.step");
+  be_silent();
+  STEPControl_Writer writer;
+  writer.Transfer(floor_under_a_roof(), STEPControl_AsIs);
+  ASSERT_EQ(writer.Write(part.c_str()), IFSelect_RetDone);
+  const auto run = test::run_moldlight({"mold", part, "--direction", "z", "--step", out, "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  STEPControl_Reader reader;
+  ASSERT_EQ(reader.ReadFile(out.c_str()), IFSelect_RetDone);
+  EXPECT_EQ(reader.NbRootsForTransfer(), 1);
+  reader.TransferRoots();
+  std::size_t free_edges = 0;
+  for (TopExp_Explorer walk(reader.OneShape(), TopAbs_EDGE, TopAbs_FACE); walk.More(); walk.Next())
+    ++free_edges;
+  EXPECT_GE(free_edges, 4U);
+  EXPECT_NE(test::file_bytes(out).find("GEOMETRIC_CURVE_SET('parting line 1, outer'"), std::string::npos);
+}
+
 class StepOutputOfFiles : public testing::TestWithParam<std::string> {};
 
 TEST_P(StepOutputOfFiles, IsThePartSplitAndNamed) {
