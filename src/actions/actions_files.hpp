@@ -1,11 +1,13 @@
 // Side actions as meshes and pictures.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "actions/actions_report.hpp"
 #include "classify/still_picture.hpp"
+#include "io/mesh_writer.hpp"
 
 namespace moldlight {
 
@@ -13,6 +15,14 @@ namespace moldlight {
 [[nodiscard]] std::string action_name(const ActionPlan& plan, std::size_t action);
 /// Distinguished by hue, over and over for many; undercuts' red is left out.
 [[nodiscard]] Colour action_colour(std::size_t action);
+
+/// What forms each piece of the split part, once its side actions are known.
+struct ActionGroups {
+  std::vector<MeshGroup> groups;
+  std::vector<std::uint32_t> of_piece;  // of the split mesh
+};
+/// Core, cavity, both, undercut that was left out, each action under its name, and what is unreleased.
+[[nodiscard]] ActionGroups action_groups(const ActionsReport& report, Palette palette);
 
 /// Writes the split part with its facets grouped by what forms them, in the formats of write_grouped_mesh():
 /// core, cavity, both, each action under its name, what is unreleased, and undercut that was left out. The

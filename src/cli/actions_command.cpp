@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "actions/action_groups.hpp"
 #include "actions/actions_files.hpp"
 #include "classify/headless.hpp"
 #include "classify/json.hpp"

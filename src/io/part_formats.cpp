@@ -104,7 +104,7 @@ std::span<const PartFormat> part_formats() {
        [](Words first, Words) { return first.starts_with("ISO-10303-21"); },
        nullptr,
        read_step},
-      {"IGES", {"igs", "iges"}, false, begins_iges, nullptr, nullptr, read_iges},
+      {"IGES", {"iges", "igs"}, false, begins_iges, nullptr, nullptr, read_iges},
   };
   return k_formats;
 }

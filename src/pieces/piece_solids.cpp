@@ -12,7 +12,7 @@
 #include "mesh/facet_geometry.hpp"
 #include "parting/mold_report.hpp"
 #include "parting/slide_blank.hpp"
-#include "pieces/pieces_report.hpp"
+#include "pieces/piece_words.hpp"
 
 namespace moldlight {
 

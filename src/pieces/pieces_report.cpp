@@ -95,17 +95,6 @@ Json solids_json(const PieceSolids& solids) {
 
 }  // namespace
 
-std::string pull_words(const glm::dvec3& direction) {
-  constexpr double k_whole_deg = 1e-6;
-  const NearestAxis axis = nearest_axis(direction);
-  const bool between_two = std::ranges::min(std::array{std::abs(direction.x), std::abs(direction.y),
-                                                       std::abs(direction.z)}) < k_whole_deg;
-  if (axis.is_met() || !between_two || std::abs(axis.angle_deg - std::round(axis.angle_deg)) > k_whole_deg)
-    return direction_words(direction);
-  return fmt::format("{:.0f}° off {} (towards {})", axis.angle_deg, axis.name,
-                     lean_text(axis.axis, direction));
-}
-
 std::string pieces_state(const PiecesResult& result) {
   return !result.releases_all ? "left-over" : has_pair(result) ? "two-piece" : "pieces";
 }
@@ -140,8 +129,6 @@ std::string pieces_sentence(const PartModel& model, const PiecesResult& result) 
          fmt::format(" No smaller set of the directions tried releases as much. At least {} needed (proved).",
                      result.lower_bound == 1 ? "one is" : number_word(result.lower_bound) + " are");
 }
-
-std::string piece_name(std::size_t direction) { return fmt::format("piece_{}", direction + 1); }
 
 Colour piece_colour(std::size_t direction, Palette palette) {
   if (direction < 2) return region_colour(direction == 0 ? Region::core : Region::cavity, palette);

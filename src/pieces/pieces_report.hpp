@@ -8,17 +8,14 @@
 #include "classify/still_picture.hpp"
 #include "pieces/find_pieces.hpp"
 #include "pieces/piece_solids.hpp"
+#include "pieces/piece_words.hpp"
 
 namespace moldlight {
 
 /// "two-piece" (an opposite pair), "pieces" (any other number that releases all), "left-over".
 [[nodiscard]] std::string pieces_state(const PiecesResult& result);
-/// As direction_words(); "45° off z (towards +x)" where it lies between two axes at whole degrees.
-[[nodiscard]] std::string pull_words(const glm::dvec3& direction);
 /// One sentence or two, with full stops: how many pieces, and whether fewer are possible.
 [[nodiscard]] std::string pieces_sentence(const PartModel& model, const PiecesResult& result);
-/// "piece_1", in the order of removal.
-[[nodiscard]] std::string piece_name(std::size_t direction);
 /// Colour of a piece on the part: the first two are those of core and cavity.
 [[nodiscard]] Colour piece_colour(std::size_t direction, Palette palette);
 

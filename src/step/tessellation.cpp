@@ -51,8 +51,8 @@ bool add_face(const TopoDS_Face& face, std::uint32_t number, double mm, StepResu
 double diagonal_mm(const CadPart& part) {
   Bnd_Box box;
   for (const CadBody& body : part.bodies) BRepBndLib::Add(body.shape, box, Standard_False);
-  if (box.IsVoid() || box.IsOpen())
-    throw std::runtime_error("holds no bounded shape; export the part as a solid");
+  if (box.IsVoid()) throw std::runtime_error("holds no face; export the part as a solid");
+  if (box.IsOpen()) throw std::runtime_error("holds no bounded shape; export the part as a solid");
   return std::sqrt(box.SquareExtent());
 }
 
