@@ -28,8 +28,9 @@ TEST(PartReader, SaysWhatAFileIsThatIsNoPart) {
             "a.stl.gz: byte 0: is compressed with gzip; unpack it first");
   EXPECT_EQ(read_error("a.stl", "This is a note, not a part.\n"),
             "a.stl: line 1: is text, but no STL, which begins with 'solid'; export the part again");
-  EXPECT_EQ(read_error("a.txt", "This is a note, not a part.\n"),
-            "a.txt: byte 0: is not a part file: none of STL, OBJ, PLY, OFF, 3MF, STEP and IGES by content or name");
+  EXPECT_EQ(
+      read_error("a.txt", "This is a note, not a part.\n"),
+      "a.txt: byte 0: is not a part file: none of STL, OBJ, PLY, OFF, 3MF, STEP and IGES by content or name");
 }
 
 TEST(PartReader, GoesByContentBeforeName) {
@@ -65,8 +66,9 @@ TEST(PartReader, KnowsByTheBeginningWhatIsNoPart) {
   EXPECT_EQ(
       error_of("zeros.3mf", zeros),
       ": byte 0: is a damaged or truncated zip archive (it does not begin as one); export the part again");
-  EXPECT_EQ(error_of("zeros.dat", zeros),
-            ": byte 0: is not a part file: none of STL, OBJ, PLY, OFF, 3MF, STEP and IGES by content or name");
+  EXPECT_EQ(
+      error_of("zeros.dat", zeros),
+      ": byte 0: is not a part file: none of STL, OBJ, PLY, OFF, 3MF, STEP and IGES by content or name");
 }
 
 TEST(PartReader, SaysWhatCannotBeOpened) {
