@@ -7,8 +7,8 @@
 
 namespace moldlight {
 
-/// The first of the places that is there, each relative to the folder of the running program and, of a module
-/// in another program, to that of the module's shared library.
+/// The first of the places that is there, each relative to the folder of the shared library of a module in
+/// another program, then to that of the running program.
 [[nodiscard]] std::optional<std::filesystem::path> own_file(std::span<const char* const> places);
 
 }  // namespace moldlight
