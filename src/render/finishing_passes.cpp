@@ -59,18 +59,17 @@ void draw_bodies(ViewTools& tools, const ViewFrame& frame, std::span<const glm::
                  GLuint framebuffer) {
   const std::size_t count = std::min(motions.size(), tools.mesh.bodies.size());
   if (count == 0) return;
-  // Beside the part a picture without a backdrop has nothing that they could be drawn over.
-  const bool beside = frame.settings.backdrop == Backdrop::none;
-  for (std::size_t k = 0; k < count; ++k) {
-    const ViewMesh::Body& body = tools.mesh.bodies[k];
-    for (const gl::Blend blend : {gl::Blend::under, gl::Blend::over_keeping_alpha}) {
-      if (blend == gl::Blend::under && !beside) continue;
-      gl::begin(
-          tools.gl,
-          {.framebuffer = framebuffer, .size = tools.targets.size, .cull = gl::Cull::back, .blend = blend});
-      const gl::Program& program = tools.programs.use("view/geometry.vert", "view/body.frag");
-      program.set_texture("t_depth", 0, GL_TEXTURE_2D, tools.targets.depth);
-      program.set("u_opacity", k_body_opacity);
+  for (const gl::Blend blend : {gl::Blend::under, gl::Blend::over_keeping_alpha}) {
+    // Beside the part a picture without a backdrop has nothing that they could be drawn over.
+    if (blend == gl::Blend::under && frame.settings.backdrop != Backdrop::none) continue;
+    gl::begin(
+        tools.gl,
+        {.framebuffer = framebuffer, .size = tools.targets.size, .cull = gl::Cull::back, .blend = blend});
+    const gl::Program& program = tools.programs.use("view/geometry.vert", "view/body.frag");
+    program.set_texture("t_depth", 0, GL_TEXTURE_2D, tools.targets.depth);
+    program.set("u_opacity", k_body_opacity);
+    for (std::size_t k = 0; k < count; ++k) {
+      const ViewMesh::Body& body = tools.mesh.bodies[k];
       program.set("u_clip_from_unit", glm::mat4(glm::dmat4(frame.clip_from_unit) * motions[k]));
       program.set("u_colour", screen_value(body.colour));
       const glm::dvec3 toward = glm::transpose(glm::dmat3(motions[k])) * frame.camera.toward_viewer();
