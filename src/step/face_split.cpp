@@ -1,7 +1,6 @@
 #include "step/face_split.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -23,16 +22,9 @@
 #include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
-#include <Geom2dAPI_InterCurveCurve.hxx>
-#include <Geom2dAPI_ProjectPointOnCurve.hxx>
-#include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2d_Curve.hxx>
-#include <Geom2d_Line.hxx>
-#include <Geom2d_TrimmedCurve.hxx>
-#include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
-#include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
@@ -45,266 +37,17 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 
+#include "step/border_chains.hpp"
 #include "step/border_curves.hpp"
 
 namespace moldlight::step {
 
 namespace {
 
-constexpr double k_same_place = 1e-6;  // mm, of a point and a facet's side or corner
 constexpr double k_area_share = 1e-5;  // that the pieces of a face may differ from it
-constexpr double k_near = 0.1;         // of a border and an edge that it runs along, in tolerances
-constexpr double k_band = 15.0;        // beside a bent outline, in tolerances
 constexpr std::uint32_t k_none = StepLabels::k_none;
-constexpr const char* k_changed = "has changed since it was read; run the command again";
 
 using TShape = const TopoDS_TShape*;
-
-/// A place on an edge of the part.
-struct OnEdge {
-  TopoDS_Edge edge;  // as its face has it
-  double parameter = 0.0;
-};
-
-/// A point of a border.
-struct Place {
-  gp_Pnt2d uv;
-  gp_Pnt point;
-  std::optional<OnEdge> on_edge;
-};
-
-/// The facets of a face, with the places of their corners among its parameters and on its edges.
-class FaceMesh {
- public:
-  FaceMesh(const TopoDS_Face& face, double tolerance)
-      : tolerance_(tolerance), near_(std::max(k_same_place, k_near * tolerance)) {
-    mesh_ = BRep_Tool::Triangulation(face, location_);
-    if (mesh_.IsNull() || !mesh_->HasUVNodes()) throw std::runtime_error("has a face without parameters");
-    for (TopExp_Explorer walk(face, TopAbs_EDGE); walk.More(); walk.Next()) {
-      const TopoDS_Edge& edge = TopoDS::Edge(walk.Current());
-      const auto polygon = BRep_Tool::PolygonOnTriangulation(edge, mesh_, location_);
-      if (polygon.IsNull() || !polygon->HasParameters()) continue;
-      const bool pole = BRep_Tool::Degenerated(edge);
-      for (int k = 1; k <= polygon->NbNodes(); ++k) {
-        const OnEdge at{edge, polygon->Parameter(k)};
-        if (pole)
-          nodes_.insert_or_assign(polygon->Node(k), at);
-        else
-          nodes_.insert({polygon->Node(k), at});
-        if (k == 1 || pole) continue;
-        const int a = polygon->Node(k - 1), b = polygon->Node(k);
-        sides_[std::minmax(a, b)] = {edge, polygon->Parameter(a < b ? k - 1 : k),
-                                     polygon->Parameter(a < b ? k : k - 1)};
-      }
-    }
-  }
-
-  /// Of a point in facet `k`, from 0. Throws where it is not there.
-  [[nodiscard]] Place place(std::size_t k, const gp_Pnt& point) const {
-    const auto [nodes, weights, heights] = weighed(k, point);
-    Place place{{0, 0}, point, std::nullopt};
-    for (std::size_t i = 0; i < 3; ++i) place.uv.ChangeCoord() += weights[i] * mesh_->UVNode(nodes[i]).XY();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto found = nodes_.find(nodes[i]);
-      const double corner = corner_of(nodes[i]).Distance(point);
-      if (corner > (found == nodes_.end() ? k_same_place : near_)) continue;
-      place.uv = mesh_->UVNode(nodes[i]);
-      if (found != nodes_.end()) place.on_edge = found->second;
-      return place;
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto side = side_at(nodes, i);
-      if (weights[i] * heights[i] > near_ || side == sides_.end()) continue;
-      const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
-      const double high = nodes[a] < nodes[b] ? weights[b] : weights[a];
-      const Side& on = side->second;
-      place.on_edge = OnEdge{on.edge, on.low + high * (on.high - on.low)};
-    }
-    return place;
-  }
-
-  /// Whether both points are on one side of facet `k` that is on an edge of the face.
-  [[nodiscard]] bool along_edge(std::size_t k, const gp_Pnt& from, const gp_Pnt& to) const {
-    const auto a = weighed(k, from), b = weighed(k, to);
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (a.weights[i] * a.heights[i] <= near_ && b.weights[i] * b.heights[i] <= near_ &&
-          side_at(a.nodes, i) != sides_.end())
-        return true;
-    }
-    return false;
-  }
-
- private:
-  struct Side {
-    TopoDS_Edge edge;
-    double low = 0.0, high = 0.0;  // parameters at the nodes of lower and higher number
-  };
-  struct Weighed {
-    std::array<int, 3> nodes;
-    std::array<double, 3> weights, heights;  // of the facet over the side across from the node
-  };
-
-  [[nodiscard]] std::map<std::pair<int, int>, Side>::const_iterator side_at(const std::array<int, 3>& nodes,
-                                                                            std::size_t across) const {
-    return sides_.find(std::minmax(nodes[(across + 1) % 3], nodes[(across + 2) % 3]));
-  }
-
-  [[nodiscard]] gp_Pnt corner_of(int node) const {
-    return mesh_->Node(node).Transformed(location_.Transformation());
-  }
-
-  [[nodiscard]] Weighed weighed(std::size_t k, const gp_Pnt& point) const {
-    Weighed found{};
-    mesh_->Triangle(static_cast<int>(k) + 1).Get(found.nodes[0], found.nodes[1], found.nodes[2]);
-    std::array<gp_XYZ, 3> at;
-    for (std::size_t i = 0; i < 3; ++i) at[i] = corner_of(found.nodes[i]).XYZ();
-    const gp_XYZ normal = (at[1] - at[0]).Crossed(at[2] - at[0]);
-    const double square = normal.SquareModulus();
-    if (square <= 0.0) throw std::runtime_error("has a border on a facet without area");
-    gp_XYZ there(0, 0, 0);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const gp_XYZ &a = at[(i + 1) % 3], &b = at[(i + 2) % 3];
-      found.weights[i] = (b - a).Crossed(point.XYZ() - a).Dot(normal) / square;
-      found.heights[i] = std::sqrt(square) / (b - a).Modulus();
-      there += found.weights[i] * at[i];
-    }
-    if ((there - point.XYZ()).Modulus() > tolerance_) throw std::runtime_error(k_changed);
-    return found;
-  }
-
-  double tolerance_, near_;  // of a point and its facet; of a point and an edge
-  TopLoc_Location location_;
-  Handle(Poly_Triangulation) mesh_;
-  std::map<int, OnEdge> nodes_;  // a pole is on its edge without length
-  std::map<std::pair<int, int>, Side> sides_;
-};
-
-/// A run of borders with the same labels on its sides, which begins and ends where others do, on an edge of
-/// the face, or closed at its own first point.
-struct Chain {
-  std::vector<Place> places;
-  std::uint32_t first = 0, last = 0;  // numbers of the end points
-  std::uint32_t left = 0, right = 0;  // in the parameters
-};
-
-gp_Pnt point_of(const std::array<double, 3>& at, const gp_Trsf& to_body) {
-  return gp_Pnt(at[0], at[1], at[2]).Transformed(to_body);
-}
-
-/// A border comes to a pole straight along the parameters.
-void straighten(Place& pole, const Place& before, const TopoDS_Face& face) {
-  if (!pole.on_edge || !BRep_Tool::Degenerated(pole.on_edge->edge)) return;
-  double begin = 0.0, end = 0.0;
-  const auto curve = BRep_Tool::CurveOnSurface(pole.on_edge->edge, face, begin, end);
-  const Geom2dAPI_ProjectPointOnCurve nearest(before.uv, curve, begin, end);
-  if (nearest.NbPoints() == 0) return;
-  pole.on_edge->parameter = nearest.LowerDistanceParameter();
-  pole.uv = nearest.NearestPoint();
-}
-
-/// Facets leave their bent outline by the deflection, and a border that begins along it leaves the face
-/// there: it goes straight to the outline from its first point, from the front, that is farther than `band`.
-/// False for one that stays there all the way.
-bool leave_outline(std::vector<Place>& places, const TopoDS_Face& face, double band) {
-  if (!places.front().on_edge || BRep_Tool::Degenerated(places.front().on_edge->edge)) return true;
-  OnEdge& at = *places.front().on_edge;
-  double begin = 0.0, end = 0.0;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(at.edge, begin, end);
-  const auto outline = BRep_Tool::CurveOnSurface(at.edge, face, begin, end);
-  if (outline.IsNull() || Geom2dAdaptor_Curve(outline).GetType() == GeomAbs_Line) return true;
-  std::size_t first = 1;
-  for (; first + 1 < places.size(); ++first) {
-    const GeomAPI_ProjectPointOnCurve nearest(places[first].point, curve, begin, end);
-    if (nearest.NbPoints() == 0 || nearest.LowerDistance() > band) break;
-  }
-  if (first + 1 == places.size() && places.back().on_edge && places.back().on_edge->edge.IsSame(at.edge))
-    return false;
-  places.erase(places.begin() + 1, places.begin() + static_cast<std::ptrdiff_t>(first));
-  const gp_Pnt2d from = places[1].uv;
-  const gp_Vec2d way(from, places[0].uv);
-  if (way.Magnitude() <= gp::Resolution()) return true;
-  const Handle(Geom2d_Curve) line = new Geom2d_TrimmedCurve(new Geom2d_Line(from, way), 0.0, way.Magnitude());
-  const Geom2dAPI_InterCurveCurve meets(line, new Geom2d_TrimmedCurve(outline, begin, end));
-  double nearest = way.Magnitude();
-  for (int k = 1; k <= meets.NbPoints(); ++k) {
-    const IntRes2d_IntersectionPoint& met = meets.Intersector().Point(k);
-    if (met.ParamOnFirst() >= nearest) continue;
-    nearest = met.ParamOnFirst();
-    at.parameter = met.ParamOnSecond();
-    places[0].uv = met.Value();
-  }
-  return true;
-}
-
-/// Chains of the borders of a face, whose facets begin at `first_facet`.
-std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
-                             std::span<const StepBorder> borders, const gp_Trsf& to_body, double tolerance) {
-  const FaceMesh mesh(face, tolerance);
-  struct Step {
-    const StepBorder* border;
-    Place from, to;
-    bool used = false;
-  };
-  std::vector<Step> steps;
-  std::map<std::uint32_t, std::vector<std::size_t>> out, in;
-  std::map<std::uint32_t, OnEdge> on_edge;
-  for (const StepBorder& border : borders) {
-    const gp_Pnt from = point_of(border.from, to_body), to = point_of(border.to, to_body);
-    const std::size_t facet = border.facet - first_facet;
-    if (mesh.along_edge(facet, from, to)) continue;
-    Step step{&border, mesh.place(facet, from), mesh.place(facet, to)};
-    if (step.from.on_edge && step.to.on_edge && from.Distance(to) < k_near * tolerance) continue;
-    out[border.vertices[0]].push_back(steps.size());
-    in[border.vertices[1]].push_back(steps.size());
-    steps.push_back(std::move(step));
-    if (steps.back().from.on_edge) on_edge.try_emplace(border.vertices[0], *steps.back().from.on_edge);
-    if (steps.back().to.on_edge) on_edge.try_emplace(border.vertices[1], *steps.back().to.on_edge);
-  }
-  // A facet that only touches an edge of the face does not know that it does.
-  for (Step& step : steps) {
-    for (const auto& [place, vertex] :
-         {std::pair(&step.from, step.border->vertices[0]), std::pair(&step.to, step.border->vertices[1])}) {
-      if (const auto found = on_edge.find(vertex); found != on_edge.end() && !place->on_edge)
-        place->on_edge = found->second;
-    }
-  }
-  const auto passes = [&](std::uint32_t vertex) {
-    if (on_edge.contains(vertex)) return false;
-    const auto ins = in.find(vertex), outs = out.find(vertex);
-    if (ins == in.end() || outs == out.end() || ins->second.size() != 1 || outs->second.size() != 1)
-      return false;
-    const StepBorder &a = *steps[ins->second.front()].border, &b = *steps[outs->second.front()].border;
-    return a.left == b.left && a.right == b.right;
-  };
-  const bool reversed = face.Orientation() == TopAbs_REVERSED;
-  std::vector<Chain> chains;
-  const auto walk = [&](std::size_t start) {
-    const StepBorder& begin = *steps[start].border;
-    Chain chain{.places = {steps[start].from}, .first = begin.vertices[0]};
-    chain.left = reversed ? begin.right : begin.left;
-    chain.right = reversed ? begin.left : begin.right;
-    for (std::size_t k = start; !steps[k].used;) {
-      steps[k].used = true;
-      chain.places.push_back(steps[k].to);
-      chain.last = steps[k].border->vertices[1];
-      if (!passes(chain.last)) break;
-      k = out.at(chain.last).front();
-    }
-    bool kept = true;
-    for (int side = 0; side < 2; ++side) {
-      straighten(chain.places.front(), chain.places[1], face);
-      kept = leave_outline(chain.places, face, k_band * tolerance) && kept;
-      std::ranges::reverse(chain.places);
-    }
-    if (!kept) return;
-    chains.push_back(std::move(chain));
-  };
-  for (std::size_t k = 0; k < steps.size(); ++k)
-    if (!steps[k].used && !passes(steps[k].border->vertices[0])) walk(k);
-  for (std::size_t k = 0; k < steps.size(); ++k)
-    if (!steps[k].used) walk(k);
-  return chains;
-}
 
 /// Files state tolerances that hold at the places that are looked at of the whole edge, but not of a piece.
 void widen_tolerance(const TopoDS_Edge& edge) {
