@@ -60,10 +60,8 @@ Colour action_colour(std::size_t action) {
 
 ActionGroups action_groups(const ActionsReport& report, Palette palette) {
   const SplitMesh& split = *report.result.split;
-  ActionGroups found;
+  ActionGroups found{.groups = region_groups(palette), .of_piece = {}};
   std::vector<MeshGroup>& groups = found.groups;
-  for (const Region region : k_regions)
-    groups.push_back({std::string(region_name(region)), region_colour(region, palette)});
   const auto first = static_cast<std::uint32_t>(groups.size());
   for (std::size_t k = 0; k < report.plan.actions.size(); ++k)
     groups.push_back({action_name(report.plan, k), action_colour(k)});

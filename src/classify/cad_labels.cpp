@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/check.hpp"
+#include "classify/map_comparison.hpp"
 #include "mesh/length_unit.hpp"
 #include "mesh/union_find.hpp"
 
@@ -56,11 +57,6 @@ std::vector<InnerSide> inner_sides(const SplitMesh& split, std::span<const std::
   return inner;
 }
 
-double area_of(const SplitMesh& split, std::size_t piece) {
-  const glm::dvec3 &a = split.corner(piece, 0), &b = split.corner(piece, 1), &c = split.corner(piece, 2);
-  return 0.5 * glm::length(glm::cross(b - a, c - a));
-}
-
 /// Pieces of a face that hang together under one label.
 struct Patch {
   double area = 0.0, outline = 0.0;
@@ -77,7 +73,7 @@ double give_away_specks(const SplitMesh& split, std::span<const InnerSide> sides
   std::map<std::uint32_t, Patch> patches;
   for (std::uint32_t piece = 0; piece < of_piece.size(); ++piece) {
     Patch& patch = patches[groups.find(piece)];
-    patch.area += area_of(split, piece);
+    patch.area += piece_area(split, split.pieces[piece]);
     for (std::size_t k = 0; k < 3; ++k)
       patch.outline += glm::distance(split.corner(piece, k), split.corner(piece, (k + 1) % 3));
   }
@@ -153,7 +149,7 @@ CadLabels cad_labels(const PartModel& model, const SplitMesh& split, std::span<c
   std::vector<std::map<std::uint32_t, double>> areas(faces);
   for (std::size_t piece = 0; piece < of_piece.size(); ++piece)
     if (face_of_piece[piece] != k_no_facet)
-      areas[face_of_piece[piece]][of_piece[piece]] += area_of(split, piece);
+      areas[face_of_piece[piece]][of_piece[piece]] += piece_area(split, split.pieces[piece]);
   for (std::uint32_t face = 0; face < faces; ++face) {
     found.other_areas.push_back(0.0);
     if (areas[face].empty()) continue;
@@ -175,7 +171,7 @@ CadLabels cad_labels(const PartModel& model, const SplitMesh& split, std::span<c
   std::vector<bool> seen(faces, false);
   for (std::size_t piece = 0; piece < of_piece.size(); ++piece) {
     const std::uint32_t face = face_of_piece[piece];
-    if (face == k_no_facet || seen[face] || area_of(split, piece) <= 0.0) continue;
+    if (face == k_no_facet || seen[face] || piece_area(split, split.pieces[piece]) <= 0.0) continue;
     seen[face] = true;
     const glm::dvec3 middle = mm * split.middle(piece);
     labels.samples.push_back(

@@ -66,10 +66,9 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   const auto add_files = [&](Json& json) {
     for (std::size_t k = 0; k < bodies.size(); ++k)
       if (!bodies[k].empty()) json["actions"][k]["body"]["file"] = bodies[k];
-    if (!step.empty()) json["step"] = step;
   };
-  return put_report(flags, study, {actions_json, report::actions_report, add_files}, context.get(), baseline,
-                    console, progress);
+  return put_report(flags, study, {actions_json, report::actions_report, add_files, std::move(step)},
+                    context.get(), baseline, console, progress);
 }
 
 Json settings(const ActionsFlags& flags) {

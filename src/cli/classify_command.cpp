@@ -88,20 +88,18 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
   if (!flags.draft.empty()) write_draft_csv(flags.draft, *draft);
   Json step;
   if (!flags.step.empty()) {
-    step = write_step(flags, *model,
-                      {*result.split, region_groups(flags.still.look.palette), region_numbers(*result.split)},
-                      console, progress);
+    StepContent content{*result.split, region_groups(flags.still.look.palette), {}};
+    for (const SplitPiece& piece : result.split->pieces)
+      content.of_piece.push_back(static_cast<std::uint32_t>(piece.region));
+    step = write_step(flags, *model, std::move(content), console, progress);
   }
   if (!flags.image.empty()) {
     const Image picture = StillPainter(*context, model).draw(result, flags.still, progress);
     write_png(flags.image,
               draft != nullptr ? with_draft_histogram(picture, *model, *draft, flags.still) : picture);
   }
-  const auto add_files = [&](Json& json) {
-    if (!step.empty()) json["step"] = step;
-  };
-  return put_report(flags, study, {classify_json, report::classify_report, add_files}, context.get(),
-                    baseline, console, progress);
+  return put_report(flags, study, {classify_json, report::classify_report, {}, std::move(step)},
+                    context.get(), baseline, console, progress);
 }
 
 Json settings(const ClassifyFlags& flags) {

@@ -3,13 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "actions/undercut.hpp"
 #include "classify/headless.hpp"
 #include "classify/json.hpp"
 #include "classify/option_json.hpp"
 #include "cli/report_flags.hpp"
 #include "cli/step_output.hpp"
 #include "io/png.hpp"
-#include "mesh/length_unit.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
 #include "study/study.hpp"
@@ -29,14 +29,10 @@ struct MoldFlags : StudyFlags {
 StepContent step_content(const PartModel& model, const Assignment& assignment, const PartingLine& line,
                          Palette palette) {
   StepContent content{.split = assignment.mesh, .groups = {}, .of_piece = {}};
-  for (const MoldSide side : k_mold_sides) {
-    const Region region = side == MoldSide::core     ? Region::core
-                          : side == MoldSide::cavity ? Region::cavity
-                                                     : Region::undercut;
-    content.groups.push_back({std::string(side_name(side)), region_colour(region, palette)});
-  }
+  for (const MoldSide side : k_mold_sides)
+    content.groups.push_back({std::string(side_name(side)), region_colour(region_of(side), palette)});
   for (const MoldSide side : assignment.sides) content.of_piece.push_back(static_cast<std::uint32_t>(side));
-  const double mm = model.part.unit.empty() ? 1.0 : parse_length_unit(model.part.unit).mm;
+  const double mm = 1.0 / unit_per_mm(model.part);
   for (const PartingLoop& loop : line.loops) {
     StepLine wire{fmt::format("parting line {}, {}", content.lines.size() + 1, loop_name(loop.kind)), {}};
     for (const glm::dvec3& point : loop.points)
@@ -77,11 +73,8 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
     const MoldScene scene{model, assignment, line, mold_halves(study, progress)};
     write_png(flags.image, mold_picture(*context, scene, flags.still, progress));
   }
-  const auto add_files = [&](Json& json) {
-    if (!step.empty()) json["step"] = step;
-  };
-  const int code = put_report(flags, study, {mold_json, report::mold_report, add_files}, context.get(),
-                              baseline, console, progress);
+  const int code = put_report(flags, study, {mold_json, report::mold_report, {}, std::move(step)},
+                              context.get(), baseline, console, progress);
   if (flags.folder.empty() || refusal.empty()) return code;
   console.failure(refusal);
   return k_criterion_failed;

@@ -182,6 +182,7 @@ int put_report(const StudyFlags& flags, Study& study, const StudyReport& report,
   const auto json = [&] {
     Json found = report.json(study, progress);
     if (report.add) report.add(found);
+    if (!report.step.is_null()) found["step"] = report.step;
     return found;
   };
   baseline.compare(json);

@@ -118,6 +118,7 @@ struct StudyReport {
   Json (*json)(Study&, const Progress&);
   report::Report (*people)(const report::ReportContext&, Study&);
   std::function<void(Json&)> add = {};  // to what is for programs
+  Json step = {};                       // of --step, likewise; null without it
 };
 /// Compares it with the baseline and puts it out wherever the flags ask for it; `context` is needed for those
 /// that are drawn. The exit code of the criteria.

@@ -40,17 +40,4 @@ Json write_step(const StudyFlags& flags, const PartModel& model, StepContent con
           {"failed_area", failed_area}};
 }
 
-std::vector<MeshGroup> region_groups(Palette palette) {
-  std::vector<MeshGroup> groups;
-  for (const Region region : k_regions)
-    groups.push_back({std::string(region_name(region)), region_colour(region, palette)});
-  return groups;
-}
-
-std::vector<std::uint32_t> region_numbers(const SplitMesh& split) {
-  std::vector<std::uint32_t> numbers;
-  for (const SplitPiece& piece : split.pieces) numbers.push_back(static_cast<std::uint32_t>(piece.region));
-  return numbers;
-}
-
 }  // namespace moldlight::cli

@@ -26,9 +26,4 @@ struct StepContent {
 [[nodiscard]] Json write_step(const StudyFlags& flags, const PartModel& model, StepContent content,
                               Console& console, const Progress& progress);
 
-/// The groups of the regions, in their order.
-[[nodiscard]] std::vector<MeshGroup> region_groups(Palette palette);
-/// Of each piece the number of its region.
-[[nodiscard]] std::vector<std::uint32_t> region_numbers(const SplitMesh& split);
-
 }  // namespace moldlight::cli

@@ -26,9 +26,8 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 /// The regions as groups: number k is k_regions[k].
 class RegionGroups {
  public:
-  explicit RegionGroups(const ColouredMesh& coloured) : coloured_(coloured) {
-    for (const Region region : k_regions)
-      groups_.push_back({std::string(region_name(region)), region_colour(region, coloured.palette)});
+  explicit RegionGroups(const ColouredMesh& coloured)
+      : coloured_(coloured), groups_(region_groups(coloured.palette)) {
     for (const Region region : coloured.regions) of_facet_.push_back(static_cast<std::uint32_t>(region));
   }
   [[nodiscard]] GroupedMesh mesh() const {
@@ -196,6 +195,13 @@ const WrittenFormat<Content>& format_of(const std::string& path,
 }
 
 }  // namespace
+
+std::vector<MeshGroup> region_groups(Palette palette) {
+  std::vector<MeshGroup> groups;
+  for (const Region region : k_regions)
+    groups.push_back({std::string(region_name(region)), region_colour(region, palette)});
+  return groups;
+}
 
 std::string written_description(const GroupedMesh& grouped) {
   return fmt::format("moldlight {}{}", grouped.title,

@@ -43,6 +43,9 @@ struct MeshGroup {
   Colour colour;
 };
 
+/// The regions, in their order.
+[[nodiscard]] std::vector<MeshGroup> region_groups(Palette palette);
+
 /// A solid beside the mesh, in its unit and place, that goes its way as the mold opens. It may turn about an
 /// axis meanwhile, steadily. The mesh outlives it.
 struct MovingSolid {

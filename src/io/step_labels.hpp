@@ -23,7 +23,7 @@ struct StepBorder {
   std::uint32_t left = 0, right = 0, padding = 0;  // labels, left of the walk as seen from outside
 };
 
-/// A point of a CAD face, by which a part that has changed since it was read is told.
+/// A point of a CAD face, by which it shows that a part has changed since it was read.
 struct StepSample {
   std::array<double, 3> point{};  // mm
   std::uint32_t face = 0, facet = 0;

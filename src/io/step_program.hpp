@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "io/readers.hpp"
+#include "io/text_scanner.hpp"
 
 namespace moldlight {
 
@@ -24,5 +26,19 @@ struct StepTask {
 /// What is said of a file where what comes back makes no sense.
 inline constexpr const char* k_step_breaks =
     "breaks the STEP reader OpenCASCADE; repair it in the CAD program or export STL";
+
+/// What the program handed back: StepResult or StepWritten. Throws FileError for bytes that are none, and for
+/// the error that it reports.
+template <typename Answer>
+[[nodiscard]] Answer step_answer(const ReadContext& context, std::string_view bytes) {
+  Answer answer;
+  try {
+    answer = Answer::from_bytes(bytes);
+  } catch (const std::out_of_range&) {
+    context.fail("", "{}", k_step_breaks);
+  }
+  if (!answer.error.empty()) context.fail("", "{}", clean_name(answer.error));
+  return answer;
+}
 
 }  // namespace moldlight

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "io/file_contents.hpp"
@@ -87,13 +86,7 @@ Part read_iges(const ReadContext& context) {
 }
 
 Part part_of_step_result(const ReadContext& context, std::string_view bytes) {
-  StepResult result;
-  try {
-    result = StepResult::from_bytes(bytes);
-  } catch (const std::out_of_range&) {
-    context.fail("", "{}", k_step_breaks);
-  }
-  if (!result.error.empty()) context.fail("", "{}", clean_name(result.error));
+  auto result = step_answer<StepResult>(context, bytes);
   check_result(context, result);
 
   Part part;

@@ -1,7 +1,6 @@
 #include "io/step_writer.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "io/atomic_file.hpp"
 #include "io/file_contents.hpp"
@@ -34,13 +33,7 @@ std::vector<std::uint32_t> write_step_part(const std::string& path, const Part& 
                 .labels = bytes,
                 .most_bytes = k_base_bytes + k_bytes_a_byte * file_bytes +
                               k_bytes_a_border * labels.borders.size() + k_bytes_a_point * points});
-  StepWritten written;
-  try {
-    written = StepWritten::from_bytes(result);
-  } catch (const std::out_of_range&) {
-    context.fail("", "{}", k_step_breaks);
-  }
-  if (!written.error.empty()) context.fail("", "{}", clean_name(written.error));
+  auto written = step_answer<StepWritten>(context, result);
   const auto is_split = [&](std::uint32_t face) {
     return std::ranges::binary_search(labels.split_faces, face);
   };

@@ -21,6 +21,10 @@ inline constexpr std::array<MoldSide, k_side_count> k_mold_sides = {MoldSide::co
                                                                     MoldSide::action};
 /// "core", "cavity", "action".
 [[nodiscard]] std::string_view side_name(MoldSide side);
+/// Whose colour it is shown in: side actions form undercuts.
+[[nodiscard]] constexpr Region region_of(MoldSide side) {
+  return side == MoldSide::core ? Region::core : side == MoldSide::cavity ? Region::cavity : Region::undercut;
+}
 
 /// Lengths and areas are in the part's unit, heights along the direction in its coordinates. Energies are
 /// lengths: that of the line, climbs counting four times and creases half, and what reverse draft and

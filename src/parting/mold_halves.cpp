@@ -59,6 +59,12 @@ TriangleMesh unscaled(const MoldHalves& halves, TriangleMesh body, double diagon
   return body;
 }
 
+TriangleMesh in_part(const MoldHalves& halves, TriangleMesh body) {
+  for (glm::dvec3& vertex : body.vertices)
+    vertex = halves.centre + halves.frame.to_part(vertex / halves.scale);
+  return body;
+}
+
 glm::dvec3 insert_place(const MoldHalves& halves, std::size_t insert) {
   return halves.centre + halves.frame.to_part(bounds(halves.inserts[insert].mesh).center() / halves.scale);
 }

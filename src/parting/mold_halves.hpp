@@ -160,6 +160,8 @@ struct MoldHalves {
 /// likewise, without the shrinkage.
 [[nodiscard]] TriangleMesh in_mold(const MoldHalves& halves, TriangleMesh part, double diagonal);
 [[nodiscard]] TriangleMesh unscaled(const MoldHalves& halves, TriangleMesh body, double diagonal);
+/// A body's mesh in the part's coordinates, without the shrinkage.
+[[nodiscard]] TriangleMesh in_part(const MoldHalves& halves, TriangleMesh body);
 
 /// The middle of the box around an insert, in the part's coordinates and without the shrinkage.
 [[nodiscard]] glm::dvec3 insert_place(const MoldHalves& halves, std::size_t insert);

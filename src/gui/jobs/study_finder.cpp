@@ -56,10 +56,7 @@ MoldSolids shown_solids(Study study, const Progress& progress) {
   MoldSolids found{.halves = study.find<MoldHalves>(progress), .shown = {}};
   const MoldHalves& halves = found.halves;
   const auto show = [&](const MoldBody& body, Steel steel) {
-    TriangleMesh mesh = body.mesh;
-    for (glm::dvec3& vertex : mesh.vertices)
-      vertex = halves.centre + halves.frame.to_part(vertex) / halves.scale;
-    found.shown.push_back(view_solid(mesh, study.model().frame, steel));
+    found.shown.push_back(view_solid(in_part(halves, body.mesh), study.model().frame, steel));
   };
   if (!halves.made()) return found;
   show(halves.core, Steel::core);

@@ -18,10 +18,6 @@ namespace {
 constexpr glm::ivec2 k_mold_px(1280, 800);
 constexpr std::size_t k_most_loops = 40, k_most_pictured_loops = 12;
 
-Region region_of(MoldSide side) {
-  return side == MoldSide::core ? Region::core : side == MoldSide::cavity ? Region::cavity : Region::undercut;
-}
-
 Section sides_section(const ReportContext& context, const MoldReport& found) {
   const Assignment& assignment = found.assignment;
   const FigureStyle style(found.model);
@@ -151,11 +147,8 @@ Section insert_actions_section(const MoldReport& found) {
 
 /// Steel in the part's coordinates.
 ViewSurface steel_surface(const MoldHalves& halves, const MoldBody& body, std::size_t group) {
-  ViewSurface surface{body.mesh,
-                      std::vector<std::uint16_t>(body.mesh.facets.size(), static_cast<std::uint16_t>(group))};
-  for (glm::dvec3& vertex : surface.mesh.vertices)
-    vertex = halves.centre + halves.frame.to_part(vertex / halves.scale);
-  return surface;
+  return {in_part(halves, body.mesh),
+          std::vector<std::uint16_t>(body.mesh.facets.size(), static_cast<std::uint16_t>(group))};
 }
 
 void add_steel(const MoldHalves& halves, const glm::dvec3& direction, Palette palette, ModelView& view) {
@@ -173,14 +166,10 @@ void add_steel(const MoldHalves& halves, const glm::dvec3& direction, Palette pa
 
 ModelView mold_view(const ReportContext& context, const MoldReport& found) {
   const Assignment& assignment = found.assignment;
-  const UnitFrame& frame = context.model->frame;
   const auto split = std::make_shared<const SplitMesh>(assignment.mesh);
-  ModelView view;
-  view.centre = frame.center;
-  view.diagonal = frame.diagonal;
-  view.direction = assignment.direction;
-  view.to_viewer =
-      revealing_orientation(*context.model, {&split, 1}, assignment.direction) * glm::dvec3(0, 0, 1);
+  ModelView view = begin_view(
+      context, assignment.direction,
+      revealing_orientation(*context.model, {&split, 1}, assignment.direction) * glm::dvec3(0, 0, 1));
   view.opens = "Open the mold";
   view.opened = 1.0;
   for (const MoldSide side : k_mold_sides) {

@@ -352,15 +352,20 @@ std::string view_caption() {
          "too.";
 }
 
+ModelView begin_view(const ReportContext& context, const glm::dvec3& direction, const glm::dvec3& to_viewer) {
+  ModelView view;
+  view.centre = context.model->frame.center;
+  view.diagonal = context.model->frame.diagonal;
+  view.direction = direction;
+  view.to_viewer = to_viewer;
+  return view;
+}
+
 ModelView region_view(const ReportContext& context, const Classification& result, const glm::dvec3& to_viewer,
                       std::span<const StillCallout> callouts) {
   const PartModel& model = *context.model;
   const FigureStyle style(model);
-  ModelView view;
-  view.centre = model.frame.center;
-  view.diagonal = model.frame.diagonal;
-  view.direction = result.direction;
-  view.to_viewer = to_viewer;
+  ModelView view = begin_view(context, result.direction, to_viewer);
   view.opens = "Take core and cavity surface apart";
   for (const Region region : k_regions) {
     ViewGroup group;

@@ -110,6 +110,9 @@ class Illustrator {
 /// The solids that the actions move, when they do, and whether they are clear.
 [[nodiscard]] Table bodies_table(const PartModel& model, const ActionPlan& plan, const Place& keys);
 
+/// Of the part alone, without anything to see yet.
+[[nodiscard]] ModelView begin_view(const ReportContext& context, const glm::dvec3& direction,
+                                   const glm::dvec3& to_viewer);
 /// The part for a page's view, its facets in the groups of the regions; opened, core and cavity surface come
 /// apart.
 [[nodiscard]] ModelView region_view(const ReportContext& context, const Classification& result,
