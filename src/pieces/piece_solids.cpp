@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "mesh/facet_geometry.hpp"
 #include "parting/mold_report.hpp"
@@ -95,7 +96,12 @@ class SolidMaker {
   bool ways_are_clear() {
     for (std::size_t k = 0; k < between_.size(); ++k) {
       if (!between_[k].direction) break;
+      const Bounds swept = swept_box(between_[k]);
       for (std::size_t later = k + 1; later < between_.size(); ++later) {
+        progress_.report("pulling the pieces", 1.0);
+        const Bounds other = bounds(between_[later].mesh);
+        if (glm::any(glm::greaterThan(other.min, swept.max)) || glm::any(glm::lessThan(other.max, swept.min)))
+          continue;
         if (way_out(between_[k].mesh, between_[later].mesh, way_of(*between_[k].direction)).blocked >
             result_.query.lateral)
           return refuse(fmt::format("the body that moves along {} would hit one that is removed later",
@@ -104,6 +110,20 @@ class SolidMaker {
       }
     }
     return true;
+  }
+
+  /// What holds a body all along its way.
+  [[nodiscard]] Bounds swept_box(const Between& body) const {
+    Bounds box = bounds(body.mesh);
+    const glm::dvec3 way = way_of(*body.direction), shift = travel_of(body) * way;
+    box.add(box.min + shift);
+    box.add(box.max + shift);
+    return box;
+  }
+  /// Until it is clear of the part, in diagonals.
+  [[nodiscard]] double travel_of(const Between& body) const {
+    const glm::dvec3 way = way_of(*body.direction);
+    return std::max(0.0, reach(part_, way) + reach(body.mesh, -way));
   }
 
   bool little_is_left() {
@@ -120,10 +140,9 @@ class SolidMaker {
     }
     // Half of such a body's surface, at least, lies on the other bodies.
     if (area <= 2.0 * result_.settings.eps * model_.geometry.total_area) return true;
-    return refuse(
-        number == 1 ? std::string("a body between the halves is released by no single direction")
-                    : fmt::format("{} bodies between the halves are released by no single direction", number),
-        insert_place(made_.halves, at));
+    return refuse(fmt::format("no single direction releases {} between the halves",
+                              number == 1 ? "a body" : fmt::format("{} bodies", number)),
+                  insert_place(made_.halves, at));
   }
 
   void name_all() {
@@ -150,9 +169,7 @@ class SolidMaker {
       in_direction = first ? 1 : in_direction + 1;
       name(written, first && last ? piece_name(*body.direction)
                                   : fmt::format("{}_{}", piece_name(*body.direction), in_direction));
-      const glm::dvec3 way = way_of(*body.direction);
-      made_.solids[written] = {
-          body.direction, model_.frame.diagonal * std::max(0.0, reach(part_, way) + reach(body.mesh, -way))};
+      made_.solids[written] = {body.direction, model_.frame.diagonal * travel_of(body)};
     }
   }
 

@@ -137,7 +137,7 @@ Colour piece_colour(std::size_t direction, Palette palette) {
 
 std::string solids_refusal(const PartModel& model, const PieceSolids& solids) {
   if (solids.refusal.empty()) return {};
-  const std::string text = "no pieces are written: " + solids.refusal;
+  const std::string text = "no solids: " + solids.refusal;
   return solids.refused_at ? text + ", near " + FigureStyle(model).point(*solids.refused_at) : text;
 }
 
@@ -216,15 +216,11 @@ std::vector<StillBody> pulled_pieces(const PartModel& model, const PieceSolids& 
   std::vector<StillBody> bodies;
   for (std::size_t k = 0; k < solids.solids.size(); ++k) {
     const auto& [direction, travel] = solids.solids[k];
-    StillBody body{.mesh = (k == 0   ? halves.core
-                            : k == 1 ? halves.cavity
-                                     : halves.inserts[k - 2])
-                               .mesh,
+    const MoldBody& solid = k == 0 ? halves.core : k == 1 ? halves.cavity : halves.inserts[k - 2];
+    StillBody body{.mesh = in_part(halves, solid.mesh),
                    .colour = region_colour(Region::undercut, palette),
                    .label = halves.written.bodies[k].name};
     std::ranges::replace(body.label, '_', ' ');
-    for (glm::dvec3& vertex : body.mesh.vertices)
-      vertex = halves.centre + halves.frame.to_part(vertex / halves.scale);
     if (direction) {
       const double away = travel + k_gap * model.frame.diagonal;
       body.motion = glm::translate(body.motion, away * solids.directions[*direction]);

@@ -19,6 +19,8 @@ namespace moldlight::report {
 namespace {
 
 constexpr std::size_t k_most_left_rows = 10;
+/// Of the surface: what is smaller nobody would see; it is what the tolerance leaves along edges.
+constexpr double k_seen_share = 1e-4;
 
 Section directions_section(const ReportContext& context, const PiecesResult& result) {
   const FigureStyle style(*context.model);
@@ -54,8 +56,7 @@ Section left_section(const ReportContext& context, const PiecesResult& result) {
       {"Area", number(style, FigureKind::area, "/left/area", result.left_area), style.unit(FigureKind::area),
        share_text(result.left_area, context.model->geometry.total_area) + " of the surface"});
   section.add(std::move(grid));
-  // Places that nobody would see are what the tolerance leaves along edges.
-  const double least = 1e-4 * context.model->geometry.total_area;
+  const double least = k_seen_share * context.model->geometry.total_area;
   Table table{{{"place"},
                {style.heading("area", FigureKind::area)},
                {style.heading("centre", FigureKind::length), true},
@@ -142,7 +143,7 @@ Section solids_section(const ReportContext& context, const PiecesResult& result,
                             with_minus(pull_words(solids.directions.back()))),
                 TextLook::notice);
   if (number_left > 0)
-    section.add(fmt::format("No piece can form {} of {} beside the part ({}). Fill {} in the part.",
+    section.add(fmt::format("No piece can form {} beside the part, {} in all ({}). Fill {} in the part.",
                             plural(number_left, "space"), style.with_unit(FigureKind::volume, left),
                             number_left == 1 ? "left_1" : fmt::format("left_1 to left_{}", number_left),
                             number_left == 1 ? "it" : "them"),
@@ -160,13 +161,9 @@ Section solids_section(const ReportContext& context, const PiecesResult& result,
 /// The part in the colours of its pieces, and these around it.
 ModelView pieces_view(const ReportContext& context, const PiecesResult& result, const Classification& formed,
                       std::span<const StillBody> bodies) {
-  const UnitFrame& frame = context.model->frame;
-  ModelView view;
-  view.centre = frame.center;
-  view.diagonal = frame.diagonal;
-  view.direction = formed.direction;
-  view.to_viewer =
-      revealing_orientation(*context.model, {&formed.split, 1}, formed.direction) * glm::dvec3(0, 0, 1);
+  ModelView view = begin_view(
+      context, formed.direction,
+      revealing_orientation(*context.model, {&formed.split, 1}, formed.direction) * glm::dvec3(0, 0, 1));
   view.opens = bodies.empty() ? "Pull the surface apart" : "Open the mold";
   view.opened = bodies.empty() ? 0.0 : 1.0;
   for (std::size_t k = 0; k < result.count(); ++k) {
@@ -175,7 +172,7 @@ ModelView pieces_view(const ReportContext& context, const PiecesResult& result, 
                            .colour = piece_colour(k, context.palette),
                            .stays_opaque = true});
     if (bodies.empty())
-      view.groups.back().shift = k_mold_travel * frame.diagonal * result.directions[k].direction;
+      view.groups.back().shift = k_mold_travel * view.diagonal * result.directions[k].direction;
   }
   view.groups.push_back({.name = result.left_area > 0.0 ? "Part: left over" : "",
                          .colour = region_colour(Region::undercut, context.palette),
@@ -207,12 +204,15 @@ Report pieces_report(const ReportContext& context, Study& study) {
   report.subject = "along " + plural(result.count(), "direction");
   report.sentence = with_minus(pieces_sentence(model, result));
   report.tone = !result.releases_all ? Tone::bad : result.count() == 2 ? Tone::good : Tone::attention;
-  std::size_t patches = 0;
-  for (const PieceDirection& one : result.directions) patches += one.components;
+  const auto patches =
+      static_cast<std::size_t>(std::ranges::count_if(result.formed.patches, [&](const FormedPatch& patch) {
+        return patch.area > k_seen_share * model.geometry.total_area;
+      }));
+  const std::size_t specks = result.formed.patches.size() - patches;
   if (patches > result.count())
     report.lead.push_back(fmt::format(
-        "The directions form {} patches of surface that do not touch, so more bodies may be needed.",
-        patches));
+        "The directions form {} patches of surface that do not touch{}, so more bodies may be needed.",
+        patches, specks == 0 ? "" : fmt::format(", beside {}", plural(specks, "speck"))));
   if (result.enclosed_air && *result.enclosed_air > 2.0 * result.enclosed_error)
     report.lead.push_back(
         fmt::format("{} {} of space beside the part is hidden along all of them, so no piece can fill it.",
@@ -229,7 +229,7 @@ Report pieces_report(const ReportContext& context, Study& study) {
   }
   if (result.count() > 0) report.sections.push_back(directions_section(context, result));
   if (solids) report.sections.push_back(solids_section(context, result, *solids));
-  if (result.left_area > 1e-4 * model.geometry.total_area)
+  if (result.left_area > k_seen_share * model.geometry.total_area)
     report.sections.push_back(left_section(context, result));
   if (!result.formed.seams.empty()) report.sections.push_back(seams_section(context, result));
   report.sections.push_back(part_section(context, model.warnings));

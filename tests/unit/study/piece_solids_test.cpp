@@ -81,7 +81,7 @@ TEST(PieceSolids, ABodyThatNothingReleasesIsRefusedWithItsPlace) {
   along.query.direction = k_up;
   const MoldHalves halves = Study(study.shared_model(), along).find<MoldHalves>(Progress());
   const PieceSolids refused = piece_solids(study.model(), wrong, 0, halves, Progress());
-  EXPECT_EQ(refused.refusal, "a body between the halves is released by no single direction");
+  EXPECT_EQ(refused.refusal, "no single direction releases a body between the halves");
   EXPECT_TRUE(refused.solids.empty());
   ASSERT_TRUE(refused.refused_at.has_value());
   const Bounds& box = study.model().health.bounds;
