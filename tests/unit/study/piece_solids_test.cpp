@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
 #include "parting/slide_blank.hpp"
 #include "study/study.hpp"
+#include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/mold_checks.hpp"
 #include "support/shapes.hpp"
@@ -95,6 +97,38 @@ TEST(PieceSolids, ABodyThatNothingReleasesIsRefusedWithItsPlace) {
   ASSERT_EQ(left.solids.size(), 3U);
   EXPECT_EQ(left.halves.written.bodies[2].name, "left_1");
   EXPECT_EQ(left.solids[2].direction, std::nullopt);
+}
+
+/// Something around all of the part, which nothing releases, stands in the way of the body in the pocket.
+TEST(PieceSolids, ABodyThatWouldHitAnotherIsRefused) {
+  Study study = pocket_study();
+  PiecesResult result = study.find<PiecesResult>(Progress());
+  MoldHalves halves = study.find<PieceSolids>(Progress()).halves;
+  const double far = 2.0 * study.model().frame.diagonal;
+  halves.inserts.push_back(halves.inserts.front());
+  halves.inserts.back().mesh = test::box_mesh(glm::dvec3(-far), glm::dvec3(far));
+  halves.written.bodies.push_back(halves.written.bodies.back());
+  const PieceSolids solids = piece_solids(study.model(), result, 0, halves, Progress());
+  EXPECT_NE(solids.refusal.find("would hit one that is removed later"), std::string::npos) << solids.refusal;
+  EXPECT_TRUE(solids.refused_at.has_value());
+}
+
+TEST(PieceSolids, CanBeCancelled) {
+  Study study = pocket_study();
+  const PiecesResult& result = study.find<PiecesResult>(Progress());
+  MoldHalves halves = study.find<PieceSolids>(Progress()).halves;
+  halves.inserts.push_back(halves.inserts.front());
+  halves.written.bodies.push_back(halves.written.bodies.back());
+  for (int calls = 1; calls <= 2; ++calls) {
+    Progress* watched = nullptr;
+    int left = calls;
+    Progress progress([&](std::string_view, double) {
+      if (--left == 0) watched->cancel();
+    });
+    watched = &progress;
+    EXPECT_THROW(static_cast<void>(piece_solids(study.model(), result, 0, halves, progress)), Cancelled)
+        << calls;
+  }
 }
 
 TEST(PieceSolids, AskForAPieceMoreWhereNoTwoDirectionsAreOpposite) {
