@@ -106,17 +106,22 @@ void write_action_mesh(const std::string& path, const ActionsReport& report, Pal
 }
 
 std::vector<std::string> write_action_bodies(const std::string& folder, const std::string& stem,
-                                             const ActionsReport& report) {
+                                             const ActionsReport& report, bool as_step) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw FileError(folder, "", "cannot be made a folder: " + error.message());
   std::vector<std::string> paths(report.plan.actions.size());
+  std::vector<NamedSolid> solids;
   for (std::size_t k = 0; k < paths.size(); ++k) {
     const auto& body = report.plan.actions[k].body;
     if (!body) continue;
     paths[k] = (fs::path(folder) / fmt::format("{}_{}.stl", stem, action_name(report.plan, k))).string();
     write_stl(paths[k], *body->solid, action_colour(k));
+    solids.push_back({action_name(report.plan, k), body->solid.get(), action_colour(k)});
   }
+  if (as_step && !solids.empty())
+    write_solids_step((fs::path(folder) / (stem + "_actions.step")).string(), "side actions", solids,
+                      report.model.part.unit);
   std::vector<fs::path> former;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const bool written = std::ranges::find(paths, entry.path().string()) != paths.end();

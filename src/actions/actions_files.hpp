@@ -30,9 +30,10 @@ struct ActionGroups {
 void write_action_mesh(const std::string& path, const ActionsReport& report, Palette palette);
 
 /// Writes the body of each action that has one to <folder>/<stem>_<name>.stl, making the folder; a former
-/// file of such a name that is not written again goes. Returns the path of each action's, empty without one.
+/// file of such a name that is not written again goes. With `as_step` all of them to
+/// <folder>/<stem>_actions.step, too. Returns the path of each action's, empty without one.
 std::vector<std::string> write_action_bodies(const std::string& folder, const std::string& stem,
-                                             const ActionsReport& report);
+                                             const ActionsReport& report, bool as_step);
 
 /// The bodies pulled out of the part by their travel.
 [[nodiscard]] std::vector<StillBody> pulled_bodies(const ActionsReport& report);

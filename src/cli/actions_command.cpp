@@ -25,6 +25,7 @@ namespace {
 struct ActionsFlags : StudyFlags {
   ActionSettings settings;
   std::string csv, mesh, bodies;
+  bool step_bodies = false;
 };
 
 int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
@@ -50,7 +51,7 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   std::vector<std::string> bodies(found.plan.actions.size());
   if (!flags.bodies.empty())
     bodies = write_action_bodies(flags.bodies, std::filesystem::path(found.model.part.file).stem().string(),
-                                 found);
+                                 found, flags.step_bodies);
   Json step;
   if (!flags.step.empty()) {
     ActionGroups groups = action_groups(found, flags.still.look.palette);
@@ -94,8 +95,14 @@ void add_actions_command(CLI::App& program, Request& request) {
       *command, *flags,
       "Write the part of a STEP file as STEP: its exact faces, split where an action's surface ends, "
       "each with the name, colour and layer of its action or region");
-  add_file_flag(*command, flags->bodies,
-                {"--bodies", "DIR", "Write the solid of each action to this folder, one STL each"});
+  CLI::Option* folder =
+      add_file_flag(*command, flags->bodies,
+                    {"--bodies", "DIR", "Write the solid of each action to this folder, one STL each"});
+  command
+      ->add_flag("--step-bodies", flags->step_bodies,
+                 "Write all these solids to PART_actions.step in that folder, too, for CAD: "
+                 "solids with plane faces")
+      ->needs(folder);
   CLI::Option* image = add_study_outputs(*command, *flags, request,
                                          "Write a picture of the part with its side actions pulled out");
   add_still_flags(*command, flags->still, image);

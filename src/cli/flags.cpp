@@ -109,4 +109,14 @@ void add_still_flags(CLI::App& command, StillSettings& settings, CLI::Option* pi
     add_option_flag(command, option_named(look_options(), key), settings.look)->needs(picture);
 }
 
+void add_mold_file_flags(CLI::App& command, MoldFileSettings& settings, CLI::Option* folder) {
+  command.add_flag("--3mf", settings.as_3mf, "Write all bodies to mold.3mf in that folder, too")
+      ->needs(folder);
+  command
+      .add_flag("--step-bodies", settings.as_step,
+                "Write all bodies to mold.step in that folder, too, for CAD: solids with plane faces, and "
+                "the parting surface")
+      ->needs(folder);
+}
+
 }  // namespace moldlight::cli

@@ -15,6 +15,7 @@
 #include "classify/option.hpp"
 #include "classify/still_picture.hpp"
 #include "cli/command.hpp"
+#include "parting/mold_files.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -135,6 +136,9 @@ void add_option_flags(CLI::App& command, std::span<const Option<S>> options, S& 
 /// The flags of still pictures but for their size. All need `picture` but --palette, which is that of other
 /// files, too.
 void add_still_flags(CLI::App& command, StillSettings& settings, CLI::Option* picture);
+
+/// The files with all bodies of a mold, in the folder that `folder` names.
+void add_mold_file_flags(CLI::App& command, MoldFileSettings& settings, CLI::Option* folder);
 
 /// A parting direction as a command takes it.
 struct DirectionFlag {

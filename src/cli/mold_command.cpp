@@ -22,7 +22,8 @@ struct MoldFlags : StudyFlags {
   MoldSettings settings;
   std::vector<std::string> lines;
   std::string folder;
-  bool as_3mf = false, with_actions = false;
+  MoldFileSettings solids;
+  bool with_actions = false;
 };
 
 /// The part with each face named by what forms it, and the parting line.
@@ -66,7 +67,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   const std::string refusal = mold_refusal(study, progress);
   if (!flags.folder.empty() && refusal.empty()) {
     WrittenMold written = mold_halves(study, progress).written;
-    write_mold(flags.folder, flags.as_3mf, model.part.unit, written);
+    write_mold(flags.folder, flags.solids, model.part.unit, written);
     keep_written(study, std::move(written), progress);
   }
   if (!flags.image.empty()) {
@@ -109,8 +110,7 @@ void add_mold_command(CLI::App& program, Request& request) {
                     {"-o,--out", "DIR",
                      "Write the bodies to this folder: core.stl, cavity.stl, with --actions slide_1.stl and "
                      "so on, and with --actions or --fill-undercut insert_1.stl and so on"});
-  command->add_flag("--3mf", flags->as_3mf, "Write all bodies to mold.3mf in that folder, too")
-      ->needs(folder);
+  add_mold_file_flags(*command, flags->solids, folder);
   command->add_flag(
       "--actions", flags->with_actions,
       "Find the side actions, make solids of the slides, and list the inserts that move with other actions");

@@ -31,7 +31,7 @@ struct PiecesFlags {
   ReportFlags report;
   std::string directions_file, mesh, folder, image;
   std::vector<std::string> lines;
-  bool as_3mf = false;
+  MoldFileSettings solids;
 
   [[nodiscard]] bool drawn() const { return !image.empty() || report.any(); }
 };
@@ -73,7 +73,7 @@ int run(const PiecesFlags& flags, Console& console, const Progress& progress) {
   std::string refusal;
   if (!flags.folder.empty() || flags.drawn())
     refusal = solids_refusal(*model, study.find<PieceSolids>(progress));
-  if (!flags.folder.empty() && refusal.empty()) write_pieces(study, flags.folder, flags.as_3mf, progress);
+  if (!flags.folder.empty() && refusal.empty()) write_pieces(study, flags.folder, flags.solids, progress);
   if (!flags.image.empty()) write_picture(flags, study, *context, progress);
   if (flags.report.any()) {
     const auto for_report = report_context(flags.report, *context, model, flags.still.look.palette, progress);
@@ -106,8 +106,7 @@ void add_pieces_command(CLI::App& program, Request& request) {
       add_file_flag(*command, flags->folder,
                     {"-o,--out", "DIR",
                      "Write the pieces to this folder as solids: piece_1.stl and so on, by their direction"});
-  command->add_flag("--3mf", flags->as_3mf, "Write all pieces to mold.3mf in that folder, too")
-      ->needs(folder);
+  add_mold_file_flags(*command, flags->solids, folder);
   add_option_flags(*command, pieces_solid_options(), flags->mold);
   add_report_flags(*command, flags->report, request);
   CLI::Option* image =

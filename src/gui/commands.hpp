@@ -9,6 +9,7 @@
 #include "classify/classify_report.hpp"
 #include "gui/app_state.hpp"
 #include "gui/input.hpp"
+#include "parting/mold_files.hpp"
 #include "report/part_report.hpp"
 
 namespace moldlight::gui {
@@ -18,7 +19,7 @@ class App;
 /// Where the files of a mold go; those without a path are not written.
 struct MoldPaths {
   std::string folder;  // of the halves and inserts
-  bool as_3mf = false;
+  MoldFileSettings solids = {};
   std::string json;
   std::vector<std::string> lines;
 };

@@ -340,7 +340,7 @@ void Commands::export_mold(const MoldPaths& paths) {
       write_lines(path, lines_to_write(study.model(), line->assignment, line->line));
     }
     WrittenMold written = solids->halves.written;
-    if (!paths.folder.empty()) write_mold(paths.folder, paths.as_3mf, study.model().part.unit, written);
+    if (!paths.folder.empty()) write_mold(paths.folder, paths.solids, study.model().part.unit, written);
     if (!paths.json.empty()) {
       MoldHalves halves = solids->halves;
       halves.written = written;  // with the files' names

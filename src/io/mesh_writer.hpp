@@ -138,9 +138,15 @@ void write_solid_stl(const std::string& path, const TriangleMesh& mesh, const st
 struct NamedSolid {
   std::string name;
   const TriangleMesh* mesh = nullptr;
+  Colour colour = {160, 160, 160};
+  bool closed = true;  // else a surface, which STEP alone has
 };
 /// 3MF: an object a solid, each once; in millimetres where `unit` ("mm", "in", …) is none that 3MF knows.
 /// Throws FileError.
 void write_solids_3mf(const std::string& path, std::span<const NamedSolid> solids, const std::string& unit);
+/// STEP: one product called `title`, in it a named and coloured body a solid, facets of one plane joined into
+/// a face. In millimetres; lengths without a unit are taken for such. Throws FileError.
+void write_solids_step(const std::string& path, const std::string& title, std::span<const NamedSolid> solids,
+                       const std::string& unit);
 
 }  // namespace moldlight

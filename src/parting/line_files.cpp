@@ -11,6 +11,7 @@
 #include "classify/number_format.hpp"
 #include "io/atomic_file.hpp"
 #include "io/part_formats.hpp"
+#include "io/step_text.hpp"
 #include "mesh/length_unit.hpp"
 #include "parting/mold_halves.hpp"
 
@@ -19,16 +20,6 @@ namespace moldlight {
 namespace {
 
 using Out = std::back_insert_iterator<std::string>;
-
-/// Text that cannot end a line of the formats.
-std::string plain(std::string_view text) {
-  std::string result;
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    result += code < 0x20 || code > 0x7e || letter == '\'' || letter == '\\' ? '_' : letter;
-  }
-  return result;
-}
 
 /// 1 for a part without a unit.
 double mm_per_unit(const std::string& unit) {
@@ -46,8 +37,9 @@ std::string layer_of(std::string_view kind) {
 void write_dxf(const std::string& path, const WrittenLines& lines) {
   std::string text;
   const Out out(text);
-  fmt::format_to(out, "999\nmoldlight {} of {}\n", lines.title, plain(lines.name));
-  fmt::format_to(out, "999\nunit: {}\n", lines.unit.empty() ? "that of the part's file" : plain(lines.unit));
+  fmt::format_to(out, "999\nmoldlight {} of {}\n", lines.title, StepText::plain(lines.name));
+  fmt::format_to(out, "999\nunit: {}\n",
+                 lines.unit.empty() ? "that of the part's file" : StepText::plain(lines.unit));
   text += "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n0\nSECTION\n2\nTABLES\n";
   text += "0\nTABLE\n2\nLAYER\n70\n";
   const bool has_seams =
@@ -135,59 +127,27 @@ void write_csv(const std::string& path, const WrittenLines& lines) {
   write_file(path, text);
 }
 
-/// A real of ISO 10303-21, which has a point.
-std::string step_real(double value) {
-  std::string text = fmt::format("{}", value);
-  const std::size_t power = text.find('e');
-  if (text.find('.') == std::string::npos) text.insert(std::min(power, text.size()), ".");
-  std::ranges::transform(text, text.begin(), [](char c) { return c == 'e' ? 'E' : c; });
-  return text;
-}
-
 void write_step(const std::string& path, const WrittenLines& lines) {
-  std::string text =
-      fmt::format("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('{}'),'2;1');\nFILE_NAME('", lines.title);
-  const Out out(text);
-  fmt::format_to(out, "{}','',(''),(''),'moldlight','moldlight','');\n", plain(lines.name));
-  text += "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n";
+  StepText text(fmt::format("moldlight {}", lines.title), lines.name);
   const double mm = mm_per_unit(lines.unit);  // every file is in millimetres
-  text +=
-      "#1=APPLICATION_CONTEXT('core data for automotive mechanical design processes');\n"
-      "#2=APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,#1);\n"
-      "#3=PRODUCT_CONTEXT('',#1,'mechanical');\n";
-  fmt::format_to(out, "#4=PRODUCT('{0}','{0}','',(#3));\n", lines.title);
-  text +=
-      "#5=PRODUCT_DEFINITION_FORMATION('','',#4);\n#6=PRODUCT_DEFINITION_CONTEXT('part "
-      "definition',#1,'design');\n"
-      "#7=PRODUCT_DEFINITION('design','',#5,#6);\n#8=PRODUCT_DEFINITION_SHAPE('','',#7);\n"
-      "#9=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n"
-      "#10=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));\n"
-      "#11=(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT());\n"
-      "#12=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),#9,'distance_accuracy_value','');\n"
-      "#13=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#12))"
-      "GLOBAL_UNIT_ASSIGNED_CONTEXT((#9,#10,#11))REPRESENTATION_CONTEXT('',''));\n"
-      "#14=CARTESIAN_POINT('',(0.,0.,0.));\n#15=DIRECTION('',(0.,0.,1.));\n#16=DIRECTION('',(1.,0.,0.));\n"
-      "#17=AXIS2_PLACEMENT_3D('',#14,#15,#16);\n";
-  std::size_t number = 18;
   std::string curves;
   for (const WrittenLoop& loop : lines.loops) {
-    const std::size_t first = number;
-    std::string points;
+    StepText::Number first = 0;
     for (const glm::dvec3& p : loop.points) {
-      fmt::format_to(out, "#{}=CARTESIAN_POINT('',({},{},{}));\n", number, step_real(mm * p.x),
-                     step_real(mm * p.y), step_real(mm * p.z));
-      points += fmt::format("#{},", number++);
+      const StepText::Number added = text.point(mm * p);
+      if (first == 0) first = added;
     }
-    if (loop.open) points.pop_back();
-    fmt::format_to(out, "#{}=POLYLINE('{}',({}{}));\n", number, loop.kind, points,
-                   loop.open ? "" : fmt::format("#{}", first));
-    curves += fmt::format("{}#{}", curves.empty() ? "" : ",", number++);
+    const auto curve =
+        text.add(fmt::format("POLYLINE('{}',({}{}))", loop.kind, StepText::list(first, loop.points.size()),
+                             loop.open ? "" : fmt::format(",#{}", first)));
+    curves += fmt::format("{}#{}", curves.empty() ? "" : ",", curve);
   }
-  fmt::format_to(out, "#{}=GEOMETRIC_CURVE_SET('{}',({}));\n", number, lines.title, curves);
-  fmt::format_to(out, "#{}=GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',(#17,#{}),#13);\n",
-                 number + 1, number);
-  fmt::format_to(out, "#{}=SHAPE_DEFINITION_REPRESENTATION(#8,#{});\n", number + 2, number + 1);
-  write_file(path, text += "ENDSEC;\nEND-ISO-10303-21;\n");
+  const auto set = text.add(fmt::format("GEOMETRIC_CURVE_SET('{}',({}))", lines.title, curves));
+  const auto shape =
+      text.add(fmt::format("GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',({},#{}),{})",
+                           StepText::origin(), set, StepText::context()));
+  text.represent(text.product(lines.title), shape);
+  write_file(path, std::move(text).finished());
 }
 
 const WrittenFormat<WrittenLines>& format_of(const std::string& path) {

@@ -283,6 +283,11 @@ class Trial {
     const double scale = frame_.diagonal * halves_.scale;
     halves_.core = scaled_body(sheets_.vertices, core, scale);
     halves_.cavity = scaled_body(sheets_.vertices, cavity, scale);
+    Facets between;
+    for (const SheetFacet& facet : sheets_.facets) {
+      if (facet.sheet == Sheet::parting) between.push_back(facet.corners);
+    }
+    halves_.surface_mesh = scaled_body(sheets_.vertices, between, scale).mesh;
     halves_.core.name = "core";
     halves_.cavity.name = "cavity";
     for (const Facets* half : {&core, &cavity}) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "actions/actions_files.hpp"
 #include "base/error.hpp"
 #include "io/mesh_writer.hpp"
 #include "mesh/facet_geometry.hpp"
@@ -101,9 +102,11 @@ double leaning_of(const TriangleMesh& mesh, const glm::dvec3& lid, double top) {
 std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
   mold.part_frame = part_frame;
   mold.bodies.clear();
+  mold.surface = halves.surface_mesh;
   const auto place = [&](const glm::dvec3& at) {
     return part_frame ? halves.scale * halves.centre + halves.frame.to_part(at) : at;
   };
+  for (glm::dvec3& vertex : mold.surface.vertices) vertex = place(vertex);
   const glm::dvec3 up = part_frame ? halves.frame.z : glm::dvec3(0.0, 0.0, 1.0);
   std::optional<glm::dvec3> open_at;
   const auto in_part = [&](const glm::dvec3& at) { return place_in_part(halves, mold, at); };
@@ -175,7 +178,8 @@ std::vector<FacetIndex> uncross_written(MoldHalves& halves, std::size_t half, st
                  std::move(crossed), progress);
 }
 
-void write_mold(const std::string& folder, bool as_3mf, const std::string& unit, WrittenMold& mold) {
+void write_mold(const std::string& folder, const MoldFileSettings& settings, const std::string& unit,
+                WrittenMold& mold) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw FileError(folder, "", "cannot be made a folder: " + error.message());
@@ -183,9 +187,17 @@ void write_mold(const std::string& folder, bool as_3mf, const std::string& unit,
   for (WrittenBody& body : mold.bodies) {
     body.file = (fs::path(folder) / (body.name + ".stl")).string();
     write_solid_stl(body.file, body.mesh, unit);
-    solids.push_back({body.name, &body.mesh});
+    const std::size_t k = solids.size();
+    solids.push_back(
+        {body.name, &body.mesh,
+         k < 2 ? region_colour(region_of(k_mold_sides[k]), Palette::paper) : action_colour(k - 2)});
   }
-  if (as_3mf) write_solids_3mf((fs::path(folder) / "mold.3mf").string(), solids, unit);
+  if (settings.as_3mf) write_solids_3mf((fs::path(folder) / "mold.3mf").string(), solids, unit);
+  if (settings.as_step) {
+    if (!mold.surface.facets.empty())
+      solids.push_back({.name = "parting_surface", .mesh = &mold.surface, .closed = false});
+    write_solids_step((fs::path(folder) / "mold.step").string(), "mold", solids, unit);
+  }
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().stem().string();
     const bool numbered = name.find_last_not_of("0123456789_") == name.find('_') - 1;

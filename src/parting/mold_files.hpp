@@ -20,8 +20,14 @@ namespace moldlight {
 [[nodiscard]] glm::dvec3 place_in_part(const MoldHalves& halves, const WrittenMold& mold,
                                        const glm::dvec3& at);
 
-/// Writes each body to <folder>/<name>.stl, making the folder, and with `as_3mf` all of them to
-/// <folder>/mold.3mf. Slides, inserts and pieces of a former run that are no more go. Throws FileError.
-void write_mold(const std::string& folder, bool as_3mf, const std::string& unit, WrittenMold& mold);
+/// Files with all bodies, beside one for each: mold.3mf; mold.step, with the parting surface, too.
+struct MoldFileSettings {
+  bool as_3mf = false, as_step = false;
+};
+
+/// Writes each body to <folder>/<name>.stl, making the folder, and the files with all of them. Slides,
+/// inserts and pieces of a former run that are no more go. Throws FileError.
+void write_mold(const std::string& folder, const MoldFileSettings& settings, const std::string& unit,
+                WrittenMold& mold);
 
 }  // namespace moldlight

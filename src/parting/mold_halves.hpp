@@ -75,6 +75,7 @@ struct WrittenBody {
 /// mold's, the parting direction upward, about the part's centre.
 struct WrittenMold {
   std::vector<WrittenBody> bodies;  // core, cavity, and what stands between them
+  TriangleMesh surface;             // between the halves, around the part and in its openings; not rounded
   bool part_frame = false;
   std::string refusal;                   // why they cannot be written; empty where they can
   std::optional<glm::dvec3> refused_at;  // in the part's coordinates
@@ -96,6 +97,7 @@ struct MoldHalves {
   glm::dvec3 centre{0.0};  // of the part, in its coordinates; the origin of the bodies
   double scale = 1.0;      // of the bodies against the part, for the shrinkage
   MoldBody core, cavity;
+  TriangleMesh surface_mesh;  // between them but for upright walls, in the bodies' frame
   std::vector<MoldBody>
       inserts;  // slides, then the others, the largest first; what is thinner than a tolerance is left out
   double specks_volume = 0.0;  // of what is left out

@@ -56,10 +56,10 @@ py::list loops(const PythonMold& self) {
   return list;
 }
 
-py::list write(const PythonMold& self, const py::object& folder_given, bool as_3mf) {
+py::list write(const PythonMold& self, const py::object& folder_given, bool as_3mf, bool as_step) {
   const std::string folder = path_of(folder_given, "folder");
   if (const std::string refusal = self.refusal(); !refusal.empty()) throw Error(refusal);
-  return write_bodies(self.written(), folder, as_3mf, self.model().part.unit);
+  return write_bodies(self.written(), folder, {as_3mf, as_step}, self.model().part.unit);
 }
 
 void write_line(const PythonMold& self, const py::object& path_given) {
@@ -114,9 +114,11 @@ void add_mold(py::module_& module, PartClass& part) {
           "frame", [](const PythonMold& self) { return mold_frame_array(self.halves()); },
           "4 x 4 float64: takes the bodies' coordinates to the part's, whose origin is "
           "where it is enlarged from for shrinkage.")
-      .def("write", &write, py::arg("folder"), py::arg("as_3mf") = false,
-           "write(self, folder, as_3mf=False)\n--\n\nWrites the bodies to a folder, an STL each, and all of "
-           "them to mold.3mf. Returns the files'\nnames. Raises Error where there are no halves to write.")
+      .def("write", &write, py::arg("folder"), py::arg("as_3mf") = false, py::arg("as_step") = false,
+           "write(self, folder, as_3mf=False, as_step=False)\n--\n\nWrites the bodies to a folder, an STL "
+           "each, and all of "
+           "them to mold.3mf or mold.step. Returns the files'\nnames. Raises Error where there are no halves "
+           "to write.")
       .def("__repr__", [](const PythonMold& self) {
         return py::str(fmt::format("<moldlight.Mold: {}>",
                                    parting_verdict(self.assignment(), self.line(), self.model())));

@@ -28,8 +28,9 @@ py::array mold_frame_array(const MoldHalves& halves) {
   return frame;
 }
 
-py::list write_bodies(WrittenMold mold, const std::string& folder, bool as_3mf, const std::string& unit) {
-  watch(py::none(), [&](const Progress&) { write_mold(folder, as_3mf, unit, mold); });
+py::list write_bodies(WrittenMold mold, const std::string& folder, const MoldFileSettings& settings,
+                      const std::string& unit) {
+  watch(py::none(), [&](const Progress&) { write_mold(folder, settings, unit, mold); });
   py::list files;
   for (const WrittenBody& body : mold.bodies)
     if (!body.file.empty()) files.append(to_python(Json(body.file)));

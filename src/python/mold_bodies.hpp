@@ -17,7 +17,7 @@ namespace py = pybind11;
 /// 4 x 4: from where the bodies are written to the part, enlarged as the mold is.
 [[nodiscard]] py::array mold_frame_array(const MoldHalves& halves);
 /// Writes them as write_mold() does; the names of the files. Throws FileError.
-[[nodiscard]] py::list write_bodies(WrittenMold mold, const std::string& folder, bool as_3mf,
-                                    const std::string& unit);
+[[nodiscard]] py::list write_bodies(WrittenMold mold, const std::string& folder,
+                                    const MoldFileSettings& settings, const std::string& unit);
 
 }  // namespace moldlight::python

@@ -56,9 +56,9 @@ py::list seam_lines(const PythonPieces& self) {
   return list;
 }
 
-py::list write_solids(const PythonPieces& self, const py::object& folder, bool as_3mf) {
+py::list write_solids(const PythonPieces& self, const py::object& folder, bool as_3mf, bool as_step) {
   if (const std::string refusal = self.refusal(); !refusal.empty()) throw Error(refusal);
-  return write_bodies(self.solids().halves.written, path_of(folder, "folder"), as_3mf,
+  return write_bodies(self.solids().halves.written, path_of(folder, "folder"), {as_3mf, as_step},
                       self.model().part.unit);
 }
 
@@ -107,9 +107,10 @@ void add_pieces(py::module_& module, PartClass& part) {
       .def_property_readonly(
           "frame", [](const PythonPieces& self) { return mold_frame_array(self.solids().halves); },
           "4 x 4 float64: takes the bodies' coordinates to the part's.")
-      .def("write", &write_solids, py::arg("folder"), py::arg("as_3mf") = false,
-           "write(self, folder, as_3mf=False)\n--\n\nWrites the solids to a folder, an STL each, and all of "
-           "them to mold.3mf. Returns the files'\nnames. Raises Error where there are none.")
+      .def("write", &write_solids, py::arg("folder"), py::arg("as_3mf") = false, py::arg("as_step") = false,
+           "write(self, folder, as_3mf=False, as_step=False)\n--\n\nWrites the solids to a folder, an STL "
+           "each, and all of "
+           "them to mold.3mf or mold.step. Returns the files'\nnames. Raises Error where there are none.")
       .def("__repr__", [](const PythonPieces& self) {
         return py::str(fmt::format("<moldlight.Pieces: {}>", pieces_sentence(self.model(), self.result())));
       });

@@ -281,9 +281,10 @@ Json pieces_json(Study& study, const Progress& progress) {
   return pieces_json(study.model(), study.find<PiecesResult>(progress), solids.get(), study.questions().mold);
 }
 
-void write_pieces(Study& study, const std::string& folder, bool as_3mf, const Progress& progress) {
+void write_pieces(Study& study, const std::string& folder, const MoldFileSettings& settings,
+                  const Progress& progress) {
   PieceSolids solids = study.find<PieceSolids>(progress);
-  write_mold(folder, as_3mf, study.model().part.unit, solids.halves.written);
+  write_mold(folder, settings, study.model().part.unit, solids.halves.written);
   study.keep(std::make_shared<const PieceSolids>(std::move(solids)));
 }
 

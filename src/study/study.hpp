@@ -210,7 +210,8 @@ void keep_written(Study& study, WrittenMold written, const Progress& progress);
 /// Schema `moldlight.mold/2`.
 [[nodiscard]] Json mold_json(Study& study, const Progress& progress);
 /// Writes the solids and keeps where they are. Throws FileError.
-void write_pieces(Study& study, const std::string& folder, bool as_3mf, const Progress& progress);
+void write_pieces(Study& study, const std::string& folder, const MoldFileSettings& settings,
+                  const Progress& progress);
 
 /// Schema `moldlight.pieces/1`; with the solids where they are known.
 [[nodiscard]] Json pieces_json(Study& study, const Progress& progress);

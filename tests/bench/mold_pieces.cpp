@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
       std::cout << std::flush;
       if (!out.empty() && pieces.halves.written.refusal.empty()) {
         WrittenMold written = pieces.halves.written;
-        write_mold(fmt::format("{}/{}_{}{}{}", out, part.path.stem().string(), d.x, d.y, d.z), false,
+        write_mold(fmt::format("{}/{}_{}{}{}", out, part.path.stem().string(), d.x, d.y, d.z), {},
                    model->part.unit, written);
       }
     }

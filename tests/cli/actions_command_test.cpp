@@ -77,8 +77,8 @@ TEST_F(Actions, AreToldInATableOfUndercuts) {
 TEST_F(Actions, AreWrittenAsMeshBodiesAndPicture) {
   const std::string mesh = part.output("actions.obj"), bodies = part.output("bodies"),
                     image = part.output("actions.png");
-  const auto run = run_moldlight(
-      actions({"--mesh", mesh, "--bodies", bodies, "--image", image, "--size", "320x200", "--json", "-"}));
+  const auto run = run_moldlight(actions({"--mesh", mesh, "--bodies", bodies, "--step-bodies", "--image",
+                                          image, "--size", "320x200", "--json", "-"}));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(test::file_bytes(mesh).find("\nusemtl slide_1\n"), std::string::npos);
   const std::filesystem::path body =
@@ -87,6 +87,8 @@ TEST_F(Actions, AreWrittenAsMeshBodiesAndPicture) {
   ASSERT_EQ(info.exit_code, 0) << info.err;
   const auto of_file = json_of(info.out)["part"], of_body = json_of(run.out)["actions"][0]["body"];
   EXPECT_TRUE(of_file["closed"].get<bool>()) << info.out;
+  const std::string step = std::filesystem::path(part.file()).stem().string() + "_actions.step";
+  EXPECT_NE(test::file_bytes(bodies + "/" + step).find("MANIFOLD_SOLID_BREP('slide_1',"), std::string::npos);
   EXPECT_EQ(of_body["file"], body.string());
   EXPECT_NEAR(of_body["volume"].get<double>(), of_file["volume"].get<double>(),
               1e-4 * of_file["volume"].get<double>());

@@ -69,8 +69,8 @@ TEST_F(Mold, WritesTheLineInEveryFormat) {
 
 TEST_F(Mold, WritesHalvesThatAreClosed) {
   const std::string folder = part.output("mold");
-  const auto run =
-      run_moldlight(mold({"--out", folder, "--fill-undercut", "--3mf", "--json", part.output("mold.json")}));
+  const auto run = run_moldlight(mold(
+      {"--out", folder, "--fill-undercut", "--3mf", "--step-bodies", "--json", part.output("mold.json")}));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto json = json_of(test::file_bytes(part.output("mold.json")));
   EXPECT_LE(std::abs(json["volume_gap"].get<double>()), 1e-9);
@@ -91,6 +91,10 @@ TEST_F(Mold, WritesHalvesThatAreClosed) {
   const auto all = run_moldlight({"info", folder + "/mold.3mf", "--json", "-"});
   ASSERT_EQ(all.exit_code, 0) << all.err;
   EXPECT_EQ(json_of(all.out)["bodies"].size(), 3U);
+  EXPECT_NE(test::file_bytes(folder + "/mold.step").find("MANIFOLD_SOLID_BREP('insert_1',"),
+            std::string::npos);
+  EXPECT_NE(test::file_bytes(folder + "/mold.step").find("SHELL_BASED_SURFACE_MODEL('parting_surface',"),
+            std::string::npos);
 }
 
 TEST_F(Mold, TellsWhichInsertsGoWithSideActions) {

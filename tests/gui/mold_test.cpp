@@ -356,7 +356,7 @@ TEST_F(Mold, IsExportedAsTheCommandWritesIt) {
   WrittenMold written = written_mold(
       make_halves(*state().model, assignment.direction, {assignment.height, &line}, asked(), Progress{}));
   const fs::path other = folder.parent_path() / "other";
-  write_mold(other.string(), false, state().model->part.unit, written);
+  write_mold(other.string(), {}, state().model->part.unit, written);
   for (const char* name : {"core.stl", "cavity.stl"})
     EXPECT_EQ(bytes_of(folder / name), bytes_of(other / name)) << name;
   const auto json = nlohmann::json::parse(bytes_of(folder / "mold.json"));

@@ -71,11 +71,12 @@ class Reports(unittest.TestCase):
         part = moldlight.Part.read(CLIP, unit="mm")
         with tempfile.TemporaryDirectory() as folder:
             found = part.pieces(solids=True, margin=8)
-            files = found.write(folder, as_3mf=True)
+            files = found.write(folder, as_3mf=True, as_step=True)
             self.check(found, "pieces", CLIP, "--unit", "mm", "--margin", "8", "--html",
                        os.path.join(folder, "pieces.html"))
             self.assertTrue(all(os.path.getsize(name) > 84 for name in files), files)
             self.assertTrue(os.path.exists(os.path.join(folder, "mold.3mf")))
+            self.assertTrue(os.path.exists(os.path.join(folder, "mold.step")))
         self.assertEqual(found.refusal, "")
         self.assertEqual([body["name"] for body in found.bodies],
                          [body["name"] for body in found.to_dict()["solids"]["bodies"]])

@@ -101,7 +101,8 @@ void MoldExportDialog::draw(const PanelContext& context) {
     const std::string refusal = ready ? refusal_of(state) : std::string();
     ImGui::BeginDisabled(!refusal.empty());
     toggle(ui, {"Halves and inserts (STL each)"}, solids_);
-    toggle(ui, {"All of them in one 3MF"}, as_3mf_);
+    toggle(ui, {"All of them in one 3MF"}, together_.as_3mf);
+    toggle(ui, {"All of them in one STEP"}, together_.as_step);
     ImGui::EndDisabled();
     if (!refusal.empty()) hint(ui, refusal);
     bool& fill = context.edits.settings.mold.fill_undercut;
@@ -129,7 +130,7 @@ void MoldExportDialog::draw(const PanelContext& context) {
   if (!dialog_.draw(ui, form, rows, context.edits.dialogs.exporting_mold)) return;
   const fs::path folder = dialog_.path();
   MoldPaths paths{.folder = solids ? folder.string() : std::string(),
-                  .as_3mf = as_3mf_,
+                  .solids = together_,
                   .json = json_ ? (folder / "mold.json").string() : std::string(),
                   .lines = {}};
   for (const std::string_view extension : lines_)

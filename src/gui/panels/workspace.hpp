@@ -131,7 +131,8 @@ class MoldExportDialog {
 
  private:
   PathDialog dialog_;
-  bool solids_ = true, as_3mf_ = false, json_ = true, first_ = true;
+  bool solids_ = true, json_ = true, first_ = true;
+  MoldFileSettings together_;
   std::vector<std::string_view> lines_;  // extensions of the files of the line
 };
 

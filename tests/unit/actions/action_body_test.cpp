@@ -175,15 +175,16 @@ TEST(ActionBody, OfEachActionIsAFileAndFormerOnesGo) {
   const test::ScratchFolder folder;
   const ActionSettings settings;
   const Planned two = measured(plan_of(block_with_pockets(60.0)));
-  const auto written =
-      write_action_bodies(folder.file("bodies"), "block", {*two.model, two.result, settings, two.plan});
+  const auto written = write_action_bodies(folder.file("bodies"), "block",
+                                           {*two.model, two.result, settings, two.plan}, false);
   ASSERT_EQ(written.size(), 2U);
   EXPECT_EQ(written[1], folder.file("bodies/block_slide_2.stl"));
   EXPECT_TRUE(std::filesystem::exists(folder.file("bodies/block_slide_2.stl")));
   const Planned one = measured(plan_of(block_with_pockets(40.0)));
-  EXPECT_EQ(write_action_bodies(folder.file("bodies"), "block", {*one.model, one.result, settings, one.plan})
-                .size(),
-            1U);
+  EXPECT_EQ(
+      write_action_bodies(folder.file("bodies"), "block", {*one.model, one.result, settings, one.plan}, false)
+          .size(),
+      1U);
   EXPECT_FALSE(std::filesystem::exists(folder.file("bodies/block_slide_2.stl")));
   EXPECT_TRUE(std::filesystem::exists(folder.file("bodies/block_slide_1.stl")));
 }
