@@ -45,6 +45,14 @@ constexpr double k_least_share = 1e-14;
 constexpr std::size_t k_most_kept = 12;
 /// Cuts of polygons that are tried: real parts ask for forty a facet at most.
 constexpr std::size_t k_any_cuts = 10'000'000, k_cuts_a_facet = 500;
+/// Share of the facets of which regions may be sampled.
+constexpr double k_most_sampled = 0.01;
+
+[[noreturn]] void refuse(const PartModel& model) {
+  throw Error(model.part.file +
+              ": too many of its facets cross others to find a mold of several pieces; raise --effort, or "
+              "take one of its bodies (--body)");
+}
 
 }  // namespace
 
@@ -53,7 +61,11 @@ const LeftSurface::Line& LeftSurface::line_of(const glm::dvec3& direction, const
   if (known != lines_.end()) return known->second;
   ExactQuery query = query_;
   query.direction = direction;
-  Line line{.mesh = exact_split(model_.exact(progress), query, progress).mesh, .first = {}};
+  ExactSplit split = exact_split(model_.exact(progress), query, progress);
+  if (static_cast<double>(split.areas.sampled_facets) >
+      k_most_sampled * static_cast<double>(model_.part.mesh.facets.size()))
+    refuse(model_);
+  Line line{.mesh = std::move(split.mesh), .first = {}};
   line.first.assign(model_.part.mesh.facets.size() + 1, 0);
   for (const SplitPiece& piece : line.mesh.pieces) ++line.first[piece.facet + 1];
   std::partial_sum(line.first.begin(), line.first.end(), line.first.begin());
@@ -123,10 +135,7 @@ std::vector<LeftPolygon> LeftSurface::left_by(std::span<const glm::dvec3> direct
       of_facet[facet] = left_of(static_cast<FacetIndex>(facet), pulls);
   });
   if (progress.cancelled()) throw Cancelled();
-  if (cuts_ > most)
-    throw Error(model_.part.file +
-                ": too many of its facets cross others to find a mold of several pieces; raise --effort, or "
-                "take one of its bodies (--body)");
+  if (cuts_ > most) refuse(model_);
   std::vector<LeftPolygon> all;
   for (auto& polygons : of_facet) std::ranges::move(polygons, std::back_inserter(all));
   return all;

@@ -96,6 +96,7 @@ class Judge {
     if (!judged_by_health()) judge_by_undercuts();
     add_specks();
     add_sampled();
+    add_bodies();
     return std::move(verdict_);
   }
 
@@ -205,6 +206,14 @@ class Judge {
                         ? "1 facet is"
                         : fmt::format("{} facets are", uncertainty.sampled_facets),
                     uncertainty.sampled_facets == 1 ? "it" : "them", area(uncertainty.readout)));
+  }
+
+  /// What is often a plate of parts, or an assembly.
+  void add_bodies() {
+    const std::size_t bodies = facts_.model.part.bodies.size();
+    if (bodies < 2 || verdict_.state == VerdictState::two_plate || verdict_.state == VerdictState::unknown)
+      return;
+    add(fmt::format("The file's {} bodies are molded together here; --body looks at one.", bodies));
   }
 
   const VerdictFacts& facts_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,8 +16,8 @@ namespace {
 constexpr double k_slack = 1e-4;
 /// How far behind a segment a place may be by rounding.
 constexpr double k_behind = 1e-9;
-/// Segments of the outline that are looked at together.
-constexpr std::size_t k_group = 16;
+/// Segments of the outline that are looked at together, at most.
+constexpr std::uint32_t k_together = 8;
 
 /// A source's greatest height over a place, less the slope times the way beyond the land.
 double reached(const Envelope::Source& source, const glm::dvec2& at, double slope) {
@@ -106,37 +105,66 @@ bool ShelfPlane::meets(const std::vector<RimSegment>& rims, double slack) const 
 }
 
 Envelope::Envelope(std::vector<Source> sources, double slope) : sources_(std::move(sources)), slope_(slope) {
-  // Neighbours together.
-  std::ranges::stable_sort(
-      sources_, {}, [](const Source& s) { return std::tuple(std::floor(16.0 * s.ends[0].y), s.ends[0].x); });
-  for (std::size_t first = 0; first < sources_.size(); first += k_group) {
-    Group group{.first = first, .last = std::min(first + k_group, sources_.size())};
-    for (std::size_t k = group.first; k < group.last; ++k) {
-      group.land = std::max(group.land, sources_[k].land);
-      for (std::size_t end = 0; end < 2; ++end) {
-        group.low = glm::min(group.low, sources_[k].ends[end]);
-        group.high = glm::max(group.high, sources_[k].ends[end]);
-        group.most = std::max(group.most, sources_[k].heights[end]);
-      }
+  if (sources_.empty()) return;
+  nodes_.push_back({.first = 0, .last = static_cast<std::uint32_t>(sources_.size())});
+  split(0);
+}
+
+/// In halves along the longer side.
+void Envelope::split(std::uint32_t number) {
+  Node node = nodes_[number];
+  glm::dvec2 low(INFINITY), high(-INFINITY);  // of the first ends
+  for (std::uint32_t k = node.first; k < node.last; ++k) {
+    const Source& source = sources_[k];
+    node.land = std::max(node.land, source.land);
+    low = glm::min(low, source.ends[0]);
+    high = glm::max(high, source.ends[0]);
+    for (std::size_t end = 0; end < 2; ++end) {
+      node.low = glm::min(node.low, source.ends[end]);
+      node.high = glm::max(node.high, source.ends[end]);
+      node.most = std::max(node.most, source.heights[end]);
     }
-    groups_.push_back(group);
+  }
+  if (node.last - node.first > k_together) {
+    const int axis = high.x - low.x >= high.y - low.y ? 0 : 1;
+    const auto begin = sources_.begin();
+    const std::uint32_t middle = (node.first + node.last) / 2;
+    std::ranges::stable_sort(begin + node.first, begin + node.last, {},
+                             [&](const Source& source) { return source.ends[0][axis]; });
+    node.parts = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back({.first = node.first, .last = middle});
+    nodes_.push_back({.first = middle, .last = node.last});
+    split(node.parts);
+    split(node.parts + 1);
+  }
+  nodes_[number] = node;
+}
+
+double Envelope::bound(const Node& node, const glm::dvec2& place) const {
+  const double way = glm::distance(place, glm::clamp(place, node.low, node.high));
+  return node.most - slope_ * std::max(0.0, way - node.land);
+}
+
+void Envelope::raise(const Node& node, const glm::dvec2& place, double& most) const {
+  if (node.parts > 0) {
+    const std::array<const Node*, 2> parts = {&nodes_[node.parts], &nodes_[node.parts + 1]};
+    const std::array<double, 2> bounds = {bound(*parts[0], place), bound(*parts[1], place)};
+    const std::size_t higher = bounds[1] > bounds[0] ? 1 : 0;
+    for (const std::size_t k : {higher, 1 - higher})
+      if (bounds[k] > most) raise(*parts[k], place, most);
+    return;
+  }
+  for (std::uint32_t k = node.first; k < node.last; ++k) {
+    const Source& source = sources_[k];
+    const glm::dvec2 away = place - source.ends[0];
+    if (std::max(glm::cross(source.fronts[0], away), glm::cross(source.fronts[1], away)) >= -k_behind)
+      most = std::max(most, reached(source, place, slope_));
   }
 }
 
 double Envelope::at(const glm::dvec2& place, double least) const {
-  double most = least;
-  for (const Group& group : groups_) {
-    const double way = glm::distance(place, glm::clamp(place, group.low, group.high));
-    if (group.most - slope_ * std::max(0.0, way - group.land) <= most) continue;
-    for (std::size_t k = group.first; k < group.last; ++k) {
-      const Source& source = sources_[k];
-      const glm::dvec2 away = place - source.ends[0];
-      if (std::max(glm::cross(source.fronts[0], away), glm::cross(source.fronts[1], away)) < -k_behind)
-        continue;
-      most = std::max(most, reached(source, place, slope_));
-    }
-  }
-  return most;
+  if (!nodes_.empty() && bound(nodes_.front(), place) > least) raise(nodes_.front(), place, least);
+  return least;
 }
 
 ShelfField::ShelfField(const std::vector<RimSegment>& rims, const ShelfPlane& shelf, const ShelfShape& shape)

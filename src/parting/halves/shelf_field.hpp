@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -44,13 +45,20 @@ class Envelope {
   [[nodiscard]] double at(const glm::dvec2& place, double least) const;
 
  private:
-  struct Group {
-    std::size_t first = 0, last = 0;
+  /// Neighbouring sources, in a box.
+  struct Node {
+    std::uint32_t first = 0, last = 0;  // sources
+    std::uint32_t parts = 0;            // the first of two nodes; 0: none
     glm::dvec2 low{INFINITY}, high{-INFINITY};
     double most = -INFINITY, land = 0.0;
   };
+  void split(std::uint32_t node);
+  /// What no source of it exceeds at a place.
+  [[nodiscard]] double bound(const Node& node, const glm::dvec2& place) const;
+  void raise(const Node& node, const glm::dvec2& place, double& most) const;
+
   std::vector<Source> sources_;
-  std::vector<Group> groups_;
+  std::vector<Node> nodes_;  // the first has all
   double slope_ = 1.0;
 };
 

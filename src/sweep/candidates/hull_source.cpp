@@ -1,5 +1,6 @@
 // Normals of the convex hull's large facets (Qhull): a part can rest on them, and many are good pulls.
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <future>
@@ -20,6 +21,7 @@ namespace moldlight {
 namespace {
 
 constexpr double k_least_hull_share = 0.01;  // of the hull's surface
+constexpr double k_flat = 1e-10;             // volume beside the surface
 
 std::vector<double> used_points(const TriangleMesh& mesh) {
   std::vector<bool> used(mesh.vertices.size(), false);
@@ -43,7 +45,8 @@ FacetGeometry hull_geometry(std::vector<double> points) {
   qhT qhull;
   qhT* const qh = &qhull;
   qh_zero(qh, nowhere.get());
-  char options[] = "qhull Pp";
+  // Joggled: merging what lies in one plane takes a minute for ten thousand points on a circle.
+  char options[] = "qhull QJ Pp";
   const int failure = qh_new_qhull(qh, 3, static_cast<int>(points.size() / 3), points.data(), False, options,
                                    nowhere.get(), nowhere.get());
   if (failure == 0) {
@@ -54,6 +57,9 @@ FacetGeometry hull_geometry(std::vector<double> points) {
       geometry.areas.push_back(area);
       geometry.total_area += area;
     }
+    // What is flat has got a little volume by being joggled.
+    qh_getarea(qh, qh->facet_list);
+    if (qh->totvol < k_flat * std::pow(geometry.total_area, 1.5)) geometry = {};
   }
   qh_freeqhull(qh, !qh_ALL);
   int memory_in_use = 0, blocks = 0;
@@ -61,8 +67,8 @@ FacetGeometry hull_geometry(std::vector<double> points) {
   return geometry;
 }
 
-/// Qhull takes half a minute for ten thousand points on a circle and cannot be interrupted: it works on a
-/// thread of its own, which is left to itself once nobody waits for it any more.
+/// Qhull takes seconds for a million points and cannot be interrupted: it works on a thread of its own, which
+/// is left to itself once nobody waits for it any more.
 FacetGeometry interruptible_hull(std::vector<double> points, const Progress& progress) {
   constexpr std::chrono::milliseconds k_patience(20);
   std::packaged_task<FacetGeometry(std::vector<double>)> task(hull_geometry);

@@ -111,6 +111,25 @@ TEST(VerdictOf, BodiesThatCrossLeaveItOpenWhereTheCrossingIsAllOfTheUndercut) {
       << verdict.sentence;
 }
 
+TEST(VerdictOf, SeveralBodiesAreToldWhereThereIsAnUndercut) {
+  test::SolidBuilder boxes;
+  boxes.box({0, 0, 0}, {20, 20, 10});
+  boxes.box({0, 0, 30}, {20, 20, 40});
+  Part part;
+  part.mesh = boxes.mesh();
+  const FacetIndex each = static_cast<FacetIndex>(part.mesh.facets.size() / 2);
+  part.bodies = {{"lower", 0, each}, {"upper", each, each}};
+  const auto verdict_along = [&](const glm::dvec3& direction) {
+    Questions questions;
+    questions.query.direction = direction;
+    return Study(prepare_part(part, Progress()), questions).verdict(Progress());
+  };
+  // One above the other they hide each other; side by side they do not.
+  const std::string told = "The file's 2 bodies are molded together here; --body looks at one.";
+  EXPECT_EQ(std::ranges::count(verdict_along({0, 0, 1}).reasons, told), 1);
+  EXPECT_EQ(std::ranges::count(verdict_along({1, 0, 0}).reasons, told), 0);
+}
+
 TEST(VerdictOf, SampledFacetsAreStatedWithTheirErrorInVerdictAndJson) {
   test::Random random(7);
   std::vector<glm::dvec3> corners;

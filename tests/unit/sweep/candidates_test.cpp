@@ -161,16 +161,28 @@ TEST(Candidates, FlatPartHasNoHull) {
   EXPECT_TRUE(hull_candidates(flat, 10, Progress()).empty());
 }
 
-TEST(Candidates, AHullOfManyPointsIsGivenUp) {
-  // On a circle no point is inside, and the hull takes seconds.
-  constexpr VertexIndex k_points = 6000;
+/// Blades about an axis, with their ends on circles at these heights; on a circle no point is inside.
+TriangleMesh wheel_of(VertexIndex points, std::initializer_list<double> heights) {
   TriangleMesh wheel;
-  wheel.vertices = {{0, 0, 0}, {0, 0, 1}};
-  for (VertexIndex i = 0; i < k_points; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / k_points;
-    wheel.vertices.emplace_back(std::cos(angle), std::sin(angle), 0.5);
-    wheel.facets.push_back({0, 1, i + 2});
+  wheel.vertices = {{0, 0, 0.4}, {0, 0, 0.6}};
+  for (VertexIndex i = 0; i < points; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / points;
+    for (const double height : heights) {
+      wheel.facets.push_back({0, 1, static_cast<VertexIndex>(wheel.vertices.size())});
+      wheel.vertices.emplace_back(std::cos(angle), std::sin(angle), height);
+    }
   }
+  return wheel;
+}
+
+TEST(Candidates, AHullOfManyPointsInOnePlaneIsFound) {
+  const auto found = hull_candidates(wheel_of(10'000, {0.25, 0.75}), 10, Progress());
+  ASSERT_FALSE(found.empty());
+  EXPECT_LT(line_angle_deg(found.front().direction, {0, 0, 1}), 0.01);
+}
+
+TEST(Candidates, AHullOfManyPointsIsGivenUp) {
+  const TriangleMesh wheel = wheel_of(60'000, {0.5});  // of a second
   Progress progress;
   progress.cancel();
   EXPECT_THROW(static_cast<void>(hull_candidates(wheel, 10, progress)), Cancelled);
