@@ -119,9 +119,12 @@ std::vector<std::string> write_action_bodies(const std::string& folder, const st
     write_stl(paths[k], *body->solid, action_colour(k));
     solids.push_back({action_name(report.plan, k), body->solid.get(), action_colour(k)});
   }
-  if (as_step && !solids.empty())
-    write_solids_step((fs::path(folder) / (stem + "_actions.step")).string(), "side actions", solids,
-                      report.model.part.unit);
+  const fs::path step = fs::path(folder) / (stem + "_actions.step");
+  if (as_step && !solids.empty()) {
+    write_solids_step(step.string(), "side actions", solids, report.model.part.unit);
+  } else if (as_step) {
+    fs::remove(step, error);
+  }
   std::vector<fs::path> former;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const bool written = std::ranges::find(paths, entry.path().string()) != paths.end();

@@ -1,5 +1,8 @@
 // moldlight mold: the parting line of one direction, and the two mold halves.
+#include <algorithm>
+#include <functional>
 #include <memory>
+#include <numeric>
 
 #include <nlohmann/json.hpp>
 
@@ -10,6 +13,7 @@
 #include "cli/report_flags.hpp"
 #include "cli/step_output.hpp"
 #include "io/png.hpp"
+#include "mesh/flat_faces.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
 #include "study/study.hpp"
@@ -44,6 +48,40 @@ StepContent step_content(const PartModel& model, const Assignment& assignment, c
   return content;
 }
 
+/// The surface between the halves, around the part and in its openings: what hangs together, the largest
+/// first.
+std::vector<StepSurface> parting_surfaces(const PartModel& model, const MoldHalves& halves) {
+  constexpr double k_flat = 1e-7;  // of the part's diagonal
+  const double mm = 1.0 / unit_per_mm(model.part), bend = k_flat * model.frame.diagonal;
+  TriangleMesh mesh = in_part(halves, halves.surface_mesh);
+  collapse_short_edges(mesh, bend);
+  const FlatFaces flat = flat_faces(mesh, bend);
+  std::vector<std::size_t> order(flat.shells.size()), place(flat.shells.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(),
+                           [&](std::size_t shell) { return flat.shells[shell].bounds.diagonal(); });
+  std::vector<StepSurface> surfaces;
+  for (const std::size_t shell : order) {
+    place[shell] = surfaces.size();
+    surfaces.push_back({.name = fmt::format("parting surface {}", surfaces.size() + 1),
+                        .faces = {},
+                        .tolerance = mm * bend});
+  }
+  const auto point = [](const glm::dvec3& at) { return StepSurface::Point{at.x, at.y, at.z}; };
+  for (const FlatFaces::Face& face : flat.faces) {
+    StepSurface::Face made{point(mm * face.point), point(face.normal), {}};
+    for (const FlatFaces::Loop& loop : face.loops) {
+      auto& points = made.loops.emplace_back();
+      for (const FlatFaces::Use& use : loop) {
+        const FlatFaces::Edge& edge = flat.edges[use.edge];
+        points.push_back(point(mm * mesh.vertices[use.backwards ? edge.to : edge.from]));
+      }
+    }
+    surfaces[place[face.shell]].faces.push_back(std::move(made));
+  }
+  return surfaces;
+}
+
 int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   validate(flags.query.method);
   std::vector<NamedPath> lines;
@@ -61,9 +99,12 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
   progress.report("writing", 0.0);
   for (const std::string& path : flags.lines) write_lines(path, lines_to_write(model, assignment, line));
   Json step;
-  if (!flags.step.empty())
-    step = write_step(flags, model, step_content(model, assignment, line, flags.still.look.palette), console,
-                      progress);
+  if (!flags.step.empty()) {
+    StepContent content = step_content(model, assignment, line, flags.still.look.palette);
+    if (const MoldHalves& halves = mold_halves(study, progress); halves.made())
+      content.surfaces = parting_surfaces(model, halves);
+    step = write_step(flags, model, std::move(content), console, progress);
+  }
   const std::string refusal = mold_refusal(study, progress);
   if (!flags.folder.empty() && refusal.empty()) {
     WrittenMold written = mold_halves(study, progress).written;
@@ -104,7 +145,7 @@ void add_mold_command(CLI::App& program, Request& request) {
   add_step_flag(
       *command, *flags,
       "Write the part of a STEP file as STEP: its exact faces, split at the parting line, each with "
-      "the name, colour and layer of what forms it, and the line as wires");
+      "the name, colour and layer of what forms it, the line as wires, and the parting surface");
   CLI::Option* folder =
       add_file_flag(*command, flags->folder,
                     {"-o,--out", "DIR",

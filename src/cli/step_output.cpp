@@ -21,6 +21,7 @@ Json write_step(const StudyFlags& flags, const PartModel& model, StepContent con
   const double width = lateral_tolerance(flags.query.method, model.frame.diagonal);
   CadLabels found = cad_labels(model, content.split, content.groups, std::move(content.of_piece), width);
   found.labels.lines = std::move(content.lines);
+  found.labels.surfaces = std::move(content.surfaces);
   const std::vector<std::uint32_t> failed =
       write_step_part(flags.step, model.part, flags.part.reading, found.labels, progress);
   const double failed_area =

@@ -20,6 +20,7 @@ struct StepContent {
   std::vector<MeshGroup> groups;
   std::vector<std::uint32_t> of_piece;  // its group
   std::vector<StepLine> lines = {};
+  std::vector<StepSurface> surfaces = {};
 };
 /// Writes the file that --step names, and says on stderr which faces could not be split. Returns what the
 /// report says of it. Throws FileError.

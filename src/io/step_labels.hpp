@@ -35,6 +35,19 @@ struct StepLine {
   std::vector<std::array<double, 3>> points;  // mm; a closed one ends at its first point
 };
 
+/// A surface of plane faces beside the part, such as one between the halves of a mold.
+struct StepSurface {
+  using Point = std::array<double, 3>;
+  struct Face {
+    Point point{}, normal{};                // mm; unit
+    std::vector<std::vector<Point>> loops;  // the outer one first, each with its first point once; a point
+                                            // that faces share is equal to the bit
+  };
+  std::string name;
+  std::vector<Face> faces;
+  double tolerance = 0.0;  // mm, by which points may be beside the planes
+};
+
 struct StepLabels {
   static constexpr std::uint32_t k_none = ~0U;
 
@@ -46,6 +59,7 @@ struct StepLabels {
   std::vector<StepBorder> borders;         // on these
   double tolerance = 0.0;                  // mm, by which borders may be simplified
   std::vector<StepLine> lines;
+  std::vector<StepSurface> surfaces;
 
   [[nodiscard]] std::string to_bytes() const {
     ByteWriter out;
@@ -61,6 +75,17 @@ struct StepLabels {
     for (const StepLine& line : lines) {
       out.text(line.name);
       out.array(line.points);
+    }
+    out.number<std::uint64_t>(surfaces.size());
+    for (const StepSurface& surface : surfaces) {
+      out.text(surface.name);
+      out.number(surface.tolerance);
+      out.number<std::uint64_t>(surface.faces.size());
+      for (const StepSurface::Face& face : surface.faces) {
+        out.array(std::vector{face.point, face.normal});
+        out.number<std::uint64_t>(face.loops.size());
+        for (const auto& loop : face.loops) out.array(loop);
+      }
     }
     return out.bytes();
   }
@@ -79,6 +104,19 @@ struct StepLabels {
     for (auto count = in.number<std::uint64_t>(); count > 0; --count) {
       std::string name = in.text();
       labels.lines.push_back({std::move(name), in.array<std::array<double, 3>>()});
+    }
+    for (auto count = in.number<std::uint64_t>(); count > 0; --count) {
+      StepSurface& surface = labels.surfaces.emplace_back();
+      surface.name = in.text();
+      surface.tolerance = in.number<double>();
+      for (auto faces = in.number<std::uint64_t>(); faces > 0; --faces) {
+        StepSurface::Face& face = surface.faces.emplace_back();
+        const auto plane = in.array<StepSurface::Point>();
+        face.point = plane.at(0);
+        face.normal = plane.at(1);
+        for (auto loops = in.number<std::uint64_t>(); loops > 0; --loops)
+          face.loops.push_back(in.array<StepSurface::Point>());
+      }
     }
     return labels;
   }

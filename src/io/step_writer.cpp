@@ -26,6 +26,11 @@ std::vector<std::uint32_t> write_step_part(const std::string& path, const Part& 
   const std::string bytes = labels.to_bytes();
   std::uint64_t points = 0;
   for (const StepLine& line : labels.lines) points += line.points.size();
+  for (const StepSurface& surface : labels.surfaces) {
+    for (const StepSurface::Face& face : surface.faces) {
+      for (const auto& loop : face.loops) points += 2 * loop.size();
+    }
+  }
   const std::string result = run_step_program(
       context, {.format = part.format.c_str(),
                 .file_bytes = file_bytes + bytes.size(),

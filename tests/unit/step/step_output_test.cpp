@@ -273,6 +273,24 @@ TEST_F(StepFlag, WritesThePartingLineOfAMold) {
   EXPECT_TRUE(read.by_name.contains("cavity"));
 }
 
+TEST_F(StepFlag, WritesThePartingSurfaceOfAMold) {
+  const std::string json = folder_.file("mold.json");
+  const auto run = test::run_moldlight(
+      {"mold", part_, "--direction", "z", "--fill-undercut", "--step", out_, "--json", json, "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json surfaces = Json::parse(test::file_bytes(json)).at("surfaces");
+  const double parting = surfaces.at("parting"), shut_offs = surfaces.at("shut_offs");
+  ASSERT_GT(shut_offs, 100.0);  // in the hole
+  const Read read = read_again(out_);
+  EXPECT_TRUE(read.valid);
+  EXPECT_NEAR(read.volume, read_again(part_).volume, 1e-6);
+  EXPECT_NEAR(read.by_name.at(""), parting + shut_offs, 1e-6 * (parting + shut_offs));
+  for (const char* name : {"parting surface 1", "parting surface 2"})
+    EXPECT_NE(test::file_bytes(out_).find(std::string("SHELL_BASED_SURFACE_MODEL('") + name),
+              std::string::npos)
+        << name;
+}
+
 TEST_F(StepFlag, GivesTheSameFileAgain) {
   for (const std::string& name : {out_, folder_.file("again.step")}) {
     const auto run = test::run_moldlight({"classify", part_, "--direction", "z", "--step", name, "--quiet"});
