@@ -8,6 +8,7 @@
 #include <random>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 #include "mesh/facet_geometry.hpp"
@@ -166,6 +167,35 @@ TEST(FlatFaces, TakeNeedlesWithTheFaceAtTheirLongestEdge) {
       }
     }
   }
+}
+
+TEST(CollapseShortEdges, LeavesAClosedMeshWithoutThem) {
+  TriangleMesh mesh = refined(test::box_mesh({0, 0, 0}, {3, 2, 1}), 0.0);
+  const auto [a, b, c] = mesh.facets.front();
+  // Three facets for one, the point of two of them beside a corner.
+  const auto fresh = static_cast<VertexIndex>(mesh.vertices.size());
+  mesh.vertices.push_back(mesh.vertices[a] +
+                          1e-7 * (0.5 * (mesh.vertices[b] + mesh.vertices[c]) - mesh.vertices[a]));
+  mesh.facets.front() = {a, b, fresh};
+  mesh.facets.push_back({b, c, fresh});
+  mesh.facets.push_back({c, a, fresh});
+  TriangleMesh kept = mesh;
+  collapse_short_edges(kept, 1e-9);
+  EXPECT_EQ(kept.facets, mesh.facets);
+  collapse_short_edges(mesh, 1e-5);
+  EXPECT_EQ(mesh.facets.size(), 48U);
+  const FlatFaces flat = flat_faces(mesh, 1e-9);
+  EXPECT_EQ(flat.faces.size(), 6U);
+  EXPECT_NEAR(flat.shells.front().volume, 6.0, 1e-6);
+  expect_sound(flat, mesh, 1e-6);
+}
+
+TEST(CollapseShortEdges, KeepsWhatWouldTouchItself) {
+  // A thin plate: both its sides share the corners of its rim.
+  TriangleMesh plate = test::box_mesh({0, 0, 0}, {1, 1, 1e-7});
+  collapse_short_edges(plate, 1e-5);
+  EXPECT_GE(plate.facets.size(), 4U);
+  EXPECT_EQ(flat_faces(plate, 1e-9).shells.size(), 1U);
 }
 
 TEST(FlatFaces, OfASurfaceHaveARim) {
