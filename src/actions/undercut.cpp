@@ -429,10 +429,7 @@ std::string_view speck_text(SpeckReason reason) {
   return "";
 }
 
-double unit_per_mm(const Part& part) {
-  const auto unit = find_length_unit(part.unit);
-  return 1.0 / (unit ? unit->mm : 1.0);
-}
+double unit_per_mm(const Part& part) { return 1.0 / mm_per_unit(part.unit); }
 
 double least_depth(const PartModel& model, const ExactQuery& query, double least_travel_mm) {
   constexpr double k_least_size_mm = 10.0;

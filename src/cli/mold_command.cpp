@@ -1,19 +1,15 @@
 // moldlight mold: the parting line of one direction, and the two mold halves.
-#include <algorithm>
-#include <functional>
 #include <memory>
-#include <numeric>
 
 #include <nlohmann/json.hpp>
 
-#include "actions/undercut.hpp"
 #include "classify/headless.hpp"
 #include "classify/json.hpp"
 #include "classify/option_json.hpp"
 #include "cli/report_flags.hpp"
 #include "cli/step_output.hpp"
 #include "io/png.hpp"
-#include "mesh/flat_faces.hpp"
+#include "mesh/length_unit.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_picture.hpp"
 #include "study/study.hpp"
@@ -37,7 +33,7 @@ StepContent step_content(const PartModel& model, const Assignment& assignment, c
   for (const MoldSide side : k_mold_sides)
     content.groups.push_back({std::string(side_name(side)), region_colour(region_of(side), palette)});
   for (const MoldSide side : assignment.sides) content.of_piece.push_back(static_cast<std::uint32_t>(side));
-  const double mm = 1.0 / unit_per_mm(model.part);
+  const double mm = mm_per_unit(model.part.unit);
   for (const PartingLoop& loop : line.loops) {
     StepLine wire{fmt::format("parting line {}, {}", content.lines.size() + 1, loop_name(loop.kind)), {}};
     for (const glm::dvec3& point : loop.points)
@@ -46,40 +42,6 @@ StepContent step_content(const PartModel& model, const Assignment& assignment, c
     content.lines.push_back(std::move(wire));
   }
   return content;
-}
-
-/// The surface between the halves, around the part and in its openings: what hangs together, the largest
-/// first.
-std::vector<StepSurface> parting_surfaces(const PartModel& model, const MoldHalves& halves) {
-  constexpr double k_flat = 1e-7;  // of the part's diagonal
-  const double mm = 1.0 / unit_per_mm(model.part), bend = k_flat * model.frame.diagonal;
-  TriangleMesh mesh = in_part(halves, halves.surface_mesh);
-  collapse_short_edges(mesh, bend);
-  const FlatFaces flat = flat_faces(mesh, bend);
-  std::vector<std::size_t> order(flat.shells.size()), place(flat.shells.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, std::greater(),
-                           [&](std::size_t shell) { return flat.shells[shell].bounds.diagonal(); });
-  std::vector<StepSurface> surfaces;
-  for (const std::size_t shell : order) {
-    place[shell] = surfaces.size();
-    surfaces.push_back({.name = fmt::format("parting surface {}", surfaces.size() + 1),
-                        .faces = {},
-                        .tolerance = mm * bend});
-  }
-  const auto point = [](const glm::dvec3& at) { return StepSurface::Point{at.x, at.y, at.z}; };
-  for (const FlatFaces::Face& face : flat.faces) {
-    StepSurface::Face made{point(mm * face.point), point(face.normal), {}};
-    for (const FlatFaces::Loop& loop : face.loops) {
-      auto& points = made.loops.emplace_back();
-      for (const FlatFaces::Use& use : loop) {
-        const FlatFaces::Edge& edge = flat.edges[use.edge];
-        points.push_back(point(mm * mesh.vertices[use.backwards ? edge.to : edge.from]));
-      }
-    }
-    surfaces[place[face.shell]].faces.push_back(std::move(made));
-  }
-  return surfaces;
 }
 
 int run(const MoldFlags& flags, Console& console, const Progress& progress) {

@@ -11,6 +11,7 @@
 #include "io/atomic_file.hpp"
 #include "io/mesh_writer.hpp"
 #include "io/step_text.hpp"
+#include "mesh/edge_collapse.hpp"
 #include "mesh/flat_faces.hpp"
 #include "mesh/length_unit.hpp"
 
@@ -25,19 +26,10 @@ constexpr double k_short_edge = 8.0;
 /// Fewer enclose nothing: a sliver that short edges have left.
 constexpr std::size_t k_least_faces = 4;
 
-/// Between two numbers of single precision as large as the coordinates: by so much is a flat face bent that
-/// was written so.
-double bend_of(const TriangleMesh& mesh) {
-  double most = 0.0;
-  for (const glm::dvec3& v : mesh.vertices)
-    most = std::max({most, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  return most * 0x1p-23;
-}
-
 class BodyText {
  public:
   BodyText(StepText& text, TriangleMesh mesh, double mm) : text_(text), mesh_(std::move(mesh)), mm_(mm) {
-    const double bend = bend_of(mesh_);
+    const double bend = rounding_step(mesh_);  // by which a flat face is bent that was written so
     collapse_short_edges(mesh_, k_short_edge * bend);
     flat_ = flat_faces(mesh_, bend);
   }
@@ -162,8 +154,7 @@ void add_colour(StepText& text, EntityNumber item, Colour colour, std::string& s
 
 void write_solids_step(const std::string& path, const std::string& title, std::span<const NamedSolid> solids,
                        const std::string& unit) {
-  const auto known = find_length_unit(unit);
-  const double mm = known ? known->mm : 1.0;
+  const double mm = mm_per_unit(unit);
   StepText text("moldlight " + title, title);
   std::string styled, items(StepText::origin());
   for (const NamedSolid& solid : solids) {

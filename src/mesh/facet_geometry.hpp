@@ -19,9 +19,13 @@ struct FacetGeometry {
 };
 
 /// Along the outward normal, as long as twice the area.
+[[nodiscard]] inline glm::dvec3 twice_area_vector(const TriangleMesh& mesh,
+                                                  const std::array<VertexIndex, 3>& facet) {
+  const glm::dvec3& a = mesh.vertices[facet[0]];
+  return glm::cross(mesh.vertices[facet[1]] - a, mesh.vertices[facet[2]] - a);
+}
 [[nodiscard]] inline glm::dvec3 twice_area_vector(const TriangleMesh& mesh, FacetIndex facet) {
-  const glm::dvec3& a = mesh.corner(facet, 0);
-  return glm::cross(mesh.corner(facet, 1) - a, mesh.corner(facet, 2) - a);
+  return twice_area_vector(mesh, mesh.facets[facet]);
 }
 
 [[nodiscard]] FacetGeometry facet_geometry(const TriangleMesh& mesh);

@@ -1,9 +1,7 @@
 #include "mesh/flat_faces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -11,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/adjacency.hpp"
+#include "mesh/convex_polygon.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "mesh/union_find.hpp"
 
@@ -19,13 +18,6 @@ namespace moldlight {
 namespace {
 
 constexpr std::uint32_t k_unset = std::numeric_limits<std::uint32_t>::max();
-
-double distance_to_segment(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
-  const glm::dvec3 along = b - a;
-  const double square = glm::dot(along, along);
-  const double t = square > 0.0 ? std::clamp(glm::dot(point - a, along) / square, 0.0, 1.0) : 0.0;
-  return glm::distance(point, a + t * along);
-}
 
 class FaceFinder {
  public:
@@ -63,7 +55,8 @@ class FaceFinder {
   /// Of an edge of the mesh: the face's edge that it is a piece of.
   struct Piece {
     std::uint32_t edge = k_unset, chain = k_unset;
-    bool first = false, last = false, backwards = false;  // as seen from the half-edge
+    bool first = false;      // along the chain
+    bool backwards = false;  // the half-edge runs against it
   };
 
   static HalfEdgeIndex next_in_facet(HalfEdgeIndex half_edge) {
@@ -251,11 +244,10 @@ class FaceFinder {
         if (is_corner[k])
           found_.edges.push_back({start_vertex(mesh_, chain.walk[k]), end_vertex(mesh_, chain.walk[k])});
         found_.edges.back().to = end_vertex(mesh_, chain.walk[k]);
-        const bool last = k + 1 == count || is_corner[k + 1];
         const auto edge = static_cast<std::uint32_t>(found_.edges.size() - 1);
-        pieces_[chain.walk[k]] = {edge, c, is_corner[k] != 0, last, false};
+        pieces_[chain.walk[k]] = {edge, c, is_corner[k] != 0, false};
         const HalfEdgeIndex twin = twins_[chain.walk[k]];
-        if (twin != k_unset) pieces_[twin] = {edge, c, last, is_corner[k] != 0, true};
+        if (twin != k_unset) pieces_[twin] = {edge, c, is_corner[k] != 0, true};
       }
     }
   }
@@ -333,84 +325,7 @@ class FaceFinder {
   FlatFaces found_;
 };
 
-/// One round: edges that have no facet at their ends in common. Whether there were any.
-class Collapse {
- public:
-  Collapse(TriangleMesh& mesh, double length)
-      : mesh_(mesh), length_(length), facets_of_(mesh.vertices.size()), touched_(mesh.vertices.size(), 0) {
-    for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-      for (const VertexIndex v : mesh.facets[facet]) facets_of_[v].push_back(facet);
-    }
-  }
-
-  bool run() {
-    std::vector<std::pair<double, std::array<VertexIndex, 2>>> shorts;
-    EdgeTable(mesh_).for_each_edge([&](VertexIndex low, std::span<const EdgeUse> uses) {
-      const double length = glm::distance(mesh_.vertices[low], mesh_.vertices[uses[0].high]);
-      if (length < length_ && uses.size() == 2) shorts.push_back({length, {low, uses[0].high}});
-    });
-    std::ranges::sort(shorts);
-    bool any = false;
-    for (const auto& [length, ends] : shorts) any = try_collapse(ends[0], ends[1]) || any;
-    if (any) std::erase_if(mesh_.facets, is_collapsed);
-    return any;
-  }
-
- private:
-  std::vector<VertexIndex> around(VertexIndex v) const {
-    std::vector<VertexIndex> found;
-    for (const FacetIndex facet : facets_of_[v]) {
-      for (const VertexIndex other : mesh_.facets[facet])
-        if (other != v) found.push_back(other);
-    }
-    std::ranges::sort(found);
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
-  }
-
-  bool try_collapse(VertexIndex kept, VertexIndex gone) {
-    const std::vector<VertexIndex> at_kept = around(kept), at_gone = around(gone);
-    std::vector<VertexIndex> common;
-    std::ranges::set_intersection(at_kept, at_gone, std::back_inserter(common));
-    // The two corners across; with more the surface would touch itself.
-    if (common.size() != 2) return false;
-    const auto is_touched = [&](VertexIndex v) { return touched_[v] != 0; };
-    if (touched_[kept] || touched_[gone] || std::ranges::any_of(at_gone, is_touched)) return false;
-    for (const FacetIndex facet : facets_of_[gone]) {
-      const std::array<VertexIndex, 3> before = mesh_.facets[facet];
-      std::array<VertexIndex, 3> after = before;
-      std::ranges::replace(after, gone, kept);
-      if (is_collapsed(after)) continue;
-      const glm::dvec3 old = area_of(before);
-      double longest = 0.0;
-      for (std::size_t k = 0; k < 3; ++k)
-        longest =
-            std::max(longest, glm::distance(mesh_.vertices[before[k]], mesh_.vertices[before[(k + 1) % 3]]));
-      if (glm::length(old) > length_ * longest && glm::dot(old, area_of(after)) <= 0.0) return false;
-    }
-    for (const FacetIndex facet : facets_of_[gone]) std::ranges::replace(mesh_.facets[facet], gone, kept);
-    for (const VertexIndex v : at_gone) touched_[v] = 1;
-    touched_[gone] = 1;
-    return true;
-  }
-
-  glm::dvec3 area_of(const std::array<VertexIndex, 3>& facet) const {
-    const glm::dvec3& a = mesh_.vertices[facet[0]];
-    return glm::cross(mesh_.vertices[facet[1]] - a, mesh_.vertices[facet[2]] - a);
-  }
-
-  TriangleMesh& mesh_;
-  double length_;
-  std::vector<std::vector<FacetIndex>> facets_of_;
-  std::vector<char> touched_;
-};
-
 }  // namespace
-
-void collapse_short_edges(TriangleMesh& mesh, double length) {
-  while (Collapse(mesh, length).run()) {
-  }
-}
 
 FlatFaces flat_faces(const TriangleMesh& mesh, double tolerance) {
   return FaceFinder(mesh, tolerance).find();

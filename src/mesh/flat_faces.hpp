@@ -43,8 +43,4 @@ struct FlatFaces {
 /// An edge of the mesh that is not of two facets which walk it in opposite ways is a rim of each of them.
 [[nodiscard]] FlatFaces flat_faces(const TriangleMesh& mesh, double tolerance);
 
-/// Edges that are shorter than `length` shrink to one of their ends, where the mesh hangs together as before
-/// and no facet that is wider than that turns over: no face of it has sides that readers take for points.
-void collapse_short_edges(TriangleMesh& mesh, double length);
-
 }  // namespace moldlight

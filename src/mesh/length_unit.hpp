@@ -42,6 +42,12 @@ struct LengthUnit {
   return std::nullopt;
 }
 
+/// How long the unit of this name is; 1 where it is none.
+[[nodiscard]] constexpr double mm_per_unit(std::string_view unit) {
+  const auto known = find_length_unit(unit);
+  return known ? known->mm : 1.0;
+}
+
 /// The same of a user's word, whatever its case. Throws UsageError for others.
 [[nodiscard]] inline LengthUnit parse_length_unit(std::string_view word) {
   std::string lower(word);

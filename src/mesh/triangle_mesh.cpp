@@ -21,6 +21,13 @@ std::array<glm::dvec3, 8> Bounds::corners() const {
   return corners;
 }
 
+double rounding_step(const TriangleMesh& mesh) {
+  double most = 0.0;
+  for (const glm::dvec3& v : mesh.vertices)
+    most = std::max({most, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return most * 0x1p-23;
+}
+
 Bounds bounds(const TriangleMesh& mesh) {
   Bounds box;
   for (const auto& facet : mesh.facets) {

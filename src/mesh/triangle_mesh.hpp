@@ -47,6 +47,9 @@ struct Bounds {
   [[nodiscard]] Bounds widened(double length) const { return {min - length, max + length}; }
 };
 
+/// Between two numbers of single precision as large as the mesh's coordinates.
+[[nodiscard]] double rounding_step(const TriangleMesh& mesh);
+
 /// Box of the vertices that facets use.
 [[nodiscard]] Bounds bounds(const TriangleMesh& mesh);
 

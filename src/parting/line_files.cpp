@@ -21,12 +21,6 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-/// 1 for a part without a unit.
-double mm_per_unit(const std::string& unit) {
-  const auto known = find_length_unit(unit);
-  return known ? known->mm : 1.0;
-}
-
 std::string layer_of(std::string_view kind) {
   return kind == "outer"      ? "OUTER"
          : kind == "shut-off" ? "SHUT_OFF"

@@ -283,11 +283,6 @@ class Trial {
     const double scale = frame_.diagonal * halves_.scale;
     halves_.core = scaled_body(sheets_.vertices, core, scale);
     halves_.cavity = scaled_body(sheets_.vertices, cavity, scale);
-    Facets between;
-    for (const SheetFacet& facet : sheets_.facets) {
-      if (facet.sheet == Sheet::parting) between.push_back(facet.corners);
-    }
-    halves_.surface_mesh = scaled_body(sheets_.vertices, between, scale).mesh;
     halves_.core.name = "core";
     halves_.cavity.name = "cavity";
     for (const Facets* half : {&core, &cavity}) {
@@ -336,6 +331,15 @@ class Trial {
     return std::nullopt;
   }
 
+  void keep_surface() {
+    Facets between;
+    for (const SheetFacet& facet : sheets_.facets) {
+      if (facet.sheet == Sheet::parting) between.push_back(facet.corners);
+    }
+    halves_.surface_mesh = body_mesh(sheets_.vertices, between);
+    for (glm::dvec3& vertex : halves_.surface_mesh.vertices) vertex *= frame_.diagonal * halves_.scale;
+  }
+
   /// The volumes, the bodies as they will be written, and what rounding does to the halves.
   std::optional<MoldFault> certify(const Progress& progress) {
     const double scale = halves_.scale * halves_.scale * halves_.scale;
@@ -351,6 +355,7 @@ class Trial {
                       std::abs(halves_.volume_gap)),
           k_avoid_rounding, most_moved(sheets_)};
     halves_.tolerance = attempt_.tolerance;
+    keep_surface();
     WrittenMold& written = halves_.written = written_mold(halves_);
     if (!written.refusal.empty()) {
       MoldFault fault{written.refusal, k_avoid_rounding};

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -12,7 +14,10 @@
 #include "actions/actions_files.hpp"
 #include "base/error.hpp"
 #include "io/mesh_writer.hpp"
+#include "mesh/edge_collapse.hpp"
 #include "mesh/facet_geometry.hpp"
+#include "mesh/flat_faces.hpp"
+#include "mesh/length_unit.hpp"
 #include "parting/halves/tidy_solid.hpp"
 
 namespace moldlight {
@@ -45,14 +50,6 @@ TriangleMesh rounded(const TriangleMesh& mesh, const auto& place) {
       result.facets.push_back(corners);
   }
   return result;
-}
-
-/// Between two numbers of single precision as large as the mesh's coordinates.
-double rounding_step(const TriangleMesh& mesh) {
-  double most = 0.0;
-  for (const glm::dvec3& v : mesh.vertices)
-    most = std::max({most, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  return most * 0x1p-23;
 }
 
 bool in_lid(const TriangleMesh& mesh, FacetIndex facet, const glm::dvec3& lid, double top) {
@@ -210,6 +207,38 @@ void write_mold(const std::string& folder, const MoldFileSettings& settings, con
     if (error)
       throw FileError(entry.path().string(), "", "is out of date and cannot be removed: " + error.message());
   }
+}
+
+std::vector<StepSurface> parting_surfaces(const PartModel& model, const MoldHalves& halves) {
+  constexpr double k_flat = 1e-7;  // of the part's diagonal
+  const double mm = mm_per_unit(model.part.unit), bend = k_flat * model.frame.diagonal;
+  TriangleMesh mesh = in_part(halves, halves.surface_mesh);
+  collapse_short_edges(mesh, bend);
+  const FlatFaces flat = flat_faces(mesh, bend);
+  std::vector<std::size_t> order(flat.shells.size()), place(flat.shells.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(),
+                           [&](std::size_t shell) { return flat.shells[shell].bounds.diagonal(); });
+  std::vector<StepSurface> surfaces;
+  for (const std::size_t shell : order) {
+    place[shell] = surfaces.size();
+    surfaces.push_back({.name = fmt::format("parting surface {}", surfaces.size() + 1),
+                        .faces = {},
+                        .tolerance = mm * bend});
+  }
+  const auto point = [](const glm::dvec3& at) { return StepSurface::Point{at.x, at.y, at.z}; };
+  for (const FlatFaces::Face& face : flat.faces) {
+    StepSurface::Face made{point(mm * face.point), point(face.normal), {}};
+    for (const FlatFaces::Loop& loop : face.loops) {
+      auto& points = made.loops.emplace_back();
+      for (const FlatFaces::Use& use : loop) {
+        const FlatFaces::Edge& edge = flat.edges[use.edge];
+        points.push_back(point(mm * mesh.vertices[use.backwards ? edge.to : edge.from]));
+      }
+    }
+    surfaces[place[face.shell]].faces.push_back(std::move(made));
+  }
+  return surfaces;
 }
 
 }  // namespace moldlight

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "io/step_labels.hpp"
 #include "parting/mold_halves.hpp"
 
 namespace moldlight {
@@ -29,5 +31,9 @@ struct MoldFileSettings {
 /// inserts and pieces of a former run that are no more go. Throws FileError.
 void write_mold(const std::string& folder, const MoldFileSettings& settings, const std::string& unit,
                 WrittenMold& mold);
+
+/// The surface between the halves, around the part and in its openings, beside a part that is written as
+/// STEP: what hangs together, the largest first.
+[[nodiscard]] std::vector<StepSurface> parting_surfaces(const PartModel& model, const MoldHalves& halves);
 
 }  // namespace moldlight

@@ -11,7 +11,7 @@
 #include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
-#include "mesh/facet_geometry.hpp"
+#include "mesh/edge_collapse.hpp"
 #include "support/boxes.hpp"
 
 namespace moldlight {
