@@ -1,5 +1,8 @@
 #include "mesh/triangle_mesh.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 

@@ -213,7 +213,8 @@ class Judge {
     const std::size_t bodies = facts_.model.part.bodies.size();
     if (bodies < 2 || verdict_.state == VerdictState::two_plate || verdict_.state == VerdictState::unknown)
       return;
-    add(fmt::format("The file's {} bodies are molded together here; --body looks at one.", bodies));
+    add(fmt::format("{} of the file share one mold here; --body takes one of them.",
+                    bodies == 2 ? "Both bodies" : fmt::format("All {} bodies", bodies)));
   }
 
   const VerdictFacts& facts_;

@@ -125,7 +125,7 @@ TEST(VerdictOf, SeveralBodiesAreToldWhereThereIsAnUndercut) {
     return Study(prepare_part(part, Progress()), questions).verdict(Progress());
   };
   // One above the other they hide each other; side by side they do not.
-  const std::string told = "The file's 2 bodies are molded together here; --body looks at one.";
+  const std::string told = "Both bodies of the file share one mold here; --body takes one of them.";
   EXPECT_EQ(std::ranges::count(verdict_along({0, 0, 1}).reasons, told), 1);
   EXPECT_EQ(std::ranges::count(verdict_along({1, 0, 0}).reasons, told), 0);
 }
