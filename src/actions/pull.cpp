@@ -331,10 +331,16 @@ std::optional<Pull> PullFinder::most_clearing(std::span<const UndercutSample> sa
       LifterWay way{candidate.direction, core_side ? direction_ : -direction_, k_first};
       for (double& length = way.length; length < longest_lifter_; length *= k_growth) {
         const auto reaches = [&](const UndercutSample& s) { return lengths.of(s) >= length + lifter_room_; };
-        if (area_that(reaches) <= most * (1.0 + 1e-9)) break;
-        const double cleared = area_that(
-            [&](const UndercutSample& s) { return release_.clears(s, way, lifter_room_, lengths); });
-        if (cleared <= most * (1.0 + 1e-9)) continue;
+        const double needed = most * (1.0 + 1e-9);
+        double cleared = 0.0, left = area_that(reaches);
+        if (left <= needed) break;
+        for (const UndercutSample& sample : few) {
+          if ((cleared + left) * (1.0 + 1e-12) <= needed) break;  // it cannot become the best
+          if (!reaches(sample)) continue;
+          left -= sample.area;
+          if (release_.clears(sample, way, lifter_room_, lengths)) cleared += sample.area;
+        }
+        if (cleared <= needed) continue;
         most = cleared;
         best = Pull{.kind = ActionKind::lifter,
                     .direction = candidate.direction,

@@ -127,11 +127,12 @@ bool Release::is_shallow(const UndercutSample& sample, double depth) const {
   for (int k = 0; k < k_turns; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / k_turns;
     const glm::dvec3 aside = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
+    if (glm::dot(sample.normal, aside) <= -sine_) continue;  // it does not move at all
     for (const glm::dvec3& side : {query_.direction, -query_.direction}) {
       // From a little before it, too, so that surface which touches it hides it.
       const glm::vec3 before(from + depth * aside - k_touching * side);
-      if (clear(sample, aside, depth, side) && !model_.rays().first_hit(before, glm::vec3(side), true) &&
-          free_length(sample, aside) >= depth)
+      if (!model_.rays().surface_point_blocked(before, glm::vec3(0.0F), glm::vec3(side)) &&
+          clear(sample, aside, depth, side) && free_length(sample, aside) >= depth)
         return true;
     }
   }
@@ -255,7 +256,9 @@ bool Release::clear(const UndercutSample& sample, const glm::dvec3& pull, double
   const auto leaves_from = [&](const glm::dvec3& from) {
     return !model_.rays().surface_point_blocked(glm::vec3(from), glm::vec3(0.0F), glm::vec3(side));
   };
-  if (leaves_from(at)) return true;
+  const auto here = model_.rays().blockage(glm::vec3(at), glm::vec3(side), static_cast<float>(k_beside));
+  if (here == ExactRays::Blockage::none) return true;
+  if (here == ExactRays::Blockage::around) return false;
   const glm::dvec3 across = glm::cross(side, pull);
   const double sine = glm::length(across);
   if (sine < k_least_sine) return false;

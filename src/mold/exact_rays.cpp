@@ -75,11 +75,29 @@ RTCIntersectContext make_context(bool facing_only) {
   return context;
 }
 
+/// What an occlusion test keeps of the hit that ends it.
+struct KeepingContext {
+  RTCIntersectContext embree;  // first, as Embree hands back its address
+  RTCHit hit;
+  float distance;
+};
+
+void keep_facing_hit(const RTCFilterFunctionNArguments* arguments) {
+  keep_facing(arguments);
+  if (arguments->valid[0] == 0) return;
+  auto* context = reinterpret_cast<KeepingContext*>(arguments->context);
+  context->hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
+  context->distance = reinterpret_cast<const RTCRay*>(arguments->ray)->tfar;
+}
+
 }  // namespace
 
 struct ExactRays::Scene {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  // Embree's own copies.
+  const glm::vec3* vertices = nullptr;
+  const std::array<VertexIndex, 3>* facets = nullptr;
 
   ~Scene() {
     if (scene != nullptr) rtcReleaseScene(scene);
@@ -108,6 +126,8 @@ ExactRays::ExactRays(const TriangleMesh& mesh, std::span<const glm::vec3> positi
     if (vertices == nullptr || indices == nullptr) throw std::bad_alloc();
     std::memcpy(vertices, positions.data(), positions.size_bytes());
     std::memcpy(indices, mesh.facets.data(), mesh.facets.size() * sizeof(mesh.facets[0]));
+    scene_->vertices = static_cast<const glm::vec3*>(vertices);
+    scene_->facets = static_cast<const std::array<VertexIndex, 3>*>(indices);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_->scene, geometry);
     rtcReleaseGeometry(geometry);
@@ -129,6 +149,29 @@ bool ExactRays::surface_point_blocked(const glm::vec3& origin, const glm::vec3& 
   RTCRay ray = make_ray(origin - k_start_below * normal, direction);
   rtcOccluded1(scene_->scene, &context, &ray);
   return ray.tfar < 0.0F;
+}
+
+ExactRays::Blockage ExactRays::blockage(const glm::vec3& origin, const glm::vec3& direction,
+                                        float reach) const {
+  KeepingContext context{.embree = make_context(false), .hit = {}, .distance = 0.0F};
+  context.embree.filter = keep_facing_hit;
+  RTCRay ray = make_ray(origin, direction);
+  rtcOccluded1(scene_->scene, &context.embree, &ray);
+  if (!(ray.tfar < 0.0F)) return Blockage::none;
+  // In the facet's plane they lie apart by more the flatter they meet it.
+  const RTCHit& hit = context.hit;
+  const glm::vec3 normal(hit.Ng_x, hit.Ng_y, hit.Ng_z);
+  const float doubled_area = glm::length(normal), facing = -glm::dot(normal, direction);
+  const auto& facet = scene_->facets[hit.primID];
+  float longest = 0.0F;
+  for (int k = 0; k < 3; ++k)
+    longest =
+        std::max(longest, glm::distance(scene_->vertices[facet[k]], scene_->vertices[facet[(k + 1) % 3]]));
+  constexpr float k_sure = 4.0F, k_rounding = 1e-6F;
+  const float apart = k_sure * reach + k_rounding;
+  const float inside = std::min({hit.u, hit.v, 1.0F - hit.u - hit.v});
+  const bool around = inside * facing > apart * longest && context.distance * facing > apart * doubled_area;
+  return around ? Blockage::around : Blockage::ray;
 }
 
 void ExactRays::blocked(std::span<const glm::vec3> origins, const glm::vec3& direction,

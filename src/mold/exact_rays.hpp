@@ -29,6 +29,15 @@ class ExactRays {
   [[nodiscard]] bool surface_point_blocked(const glm::vec3& origin, const glm::vec3& normal,
                                            const glm::vec3& direction) const;
 
+  enum class Blockage {
+    none,
+    ray,     // a facet stops it
+    around,  // a facet stops it and surely all rays of its direction within the reach
+  };
+  /// What stops the ray from `origin` along `direction` (unit), and whether it stops those within `reach`
+  /// (unit frame), too. Only facets that face the ray count.
+  [[nodiscard]] Blockage blockage(const glm::vec3& origin, const glm::vec3& direction, float reach) const;
+
   /// Asks for many rays of one direction from points off the surface at once; `answers[i]` is 1 for a ray
   /// that meets any facet. Keep neighbouring origins next to each other.
   void blocked(std::span<const glm::vec3> origins, const glm::vec3& direction,
