@@ -20,6 +20,7 @@
 #include "actions/side_action.hpp"
 #include "actions/undercut_part.hpp"
 #include "actions/undercut_report.hpp"
+#include "base/check.hpp"
 #include "classify/map_comparison.hpp"
 #include "mesh/faces.hpp"
 
@@ -33,10 +34,12 @@ constexpr double k_rough = 0.25;                                  // of these
 constexpr double k_across = 0.7;      // cosine, at most, between a way and one across it
 constexpr double k_pin_reach = 0.02;  // of the diagonal, from a pin to its undercut
 
-class Finder {
+}  // namespace
+
+class ActionSearch::Finder {
  public:
   Finder(const PartModel& model, const Classification& result, const ActionSettings& settings,
-         const Progress& progress, PlanDetail detail, double most_left)
+         const Progress& progress, bool roughly)
       : model_(model),
         split_(*result.split),
         settings_(in_sizes_of(model, settings)),
@@ -46,8 +49,7 @@ class Finder {
         pulls_(model, query_, undercuts_.axes, settings_, progress),
         unit_per_mm_(unit_per_mm(model.part)),
         lateral_(result.lateral_tolerance),
-        detail_(detail),
-        most_left_(most_left),
+        roughly_(roughly),
         bodies_(model, result, progress) {}
 
   /// A small part whose file names no unit may be in another one than millimetres: how thick its steel is
@@ -62,26 +64,21 @@ class Finder {
     return settings;
   }
 
-  ActionPlan run() {
-    sample();
-    find_candidates();
-    find_pulls();
-    progress_.report("looking for threads", 0.4);
-    revolved_ = revolved_options({model_, split_, undercuts_, query_, settings_, progress_}, undercut_parts_);
-    set_shallow_apart();
-    split_the_rest();
-    find_inserts();
-    std::vector<ActionOption> options = find_options();
-    const ChosenContext context{model_,       split_,   undercuts_, pulls_,    settings_,
-                                unit_per_mm_, lateral_, detail_,    most_left_};
+  [[nodiscard]] const Undercuts& undercuts() const { return undercuts_; }
+
+  ActionPlan plan(PlanDetail detail, double most_left) {
+    CHECK((detail == PlanDetail::rough) == roughly_);
+    if (!options_) find_what_is_possible();
+    const ChosenContext context{model_,       split_,   undercuts_, pulls_,   settings_,
+                                unit_per_mm_, lateral_, detail,     most_left};
     ActionPlan plan =
-        least_set(context, undercut_parts_, std::move(options),
+        least_set(context, undercut_parts_, *options_,
                   {.alternatives = [&](std::size_t undercut_part) { return alternatives(undercut_part); },
                    .measure = [&](ActionPlan& draft, bool fine) { measure(draft, fine); }},
                   progress_);
     plan.specks = undercuts_.specks;
     add_shallow_specks(plan);
-    if (detail_ == PlanDetail::whole && plan.unreleased_area <= most_left_) {
+    if (detail == PlanDetail::whole && plan.unreleased_area <= most_left) {
       keep_rejected(plan);
       report(plan);
     } else {
@@ -91,12 +88,24 @@ class Finder {
   }
 
  private:
+  void find_what_is_possible() {
+    sample();
+    find_candidates();
+    find_pulls();
+    progress_.report("looking for threads", 0.4);
+    revolved_ = revolved_options({model_, split_, undercuts_, query_, settings_, progress_}, undercut_parts_);
+    set_shallow_apart();
+    split_the_rest();
+    find_inserts();
+    options_ = find_options();
+  }
+
   void sample() {
     double total = 0.0;
     for (const Undercut& undercut : undercuts_.counted) total += undercut.area;
     for (std::size_t k = 0; k < undercuts_.counted.size(); ++k) {
       const Undercut& undercut = undercuts_.counted[k];
-      const double wanted = (detail_ == PlanDetail::rough ? k_rough : 1.0) *
+      const double wanted = (roughly_ ? k_rough : 1.0) *
                             std::clamp(k_samples * undercut.area / total, k_least_samples, k_most_samples);
       undercut_parts_.push_back(
           {k, sample_undercut(model_, split_, undercut, static_cast<std::size_t>(wanted))});
@@ -469,20 +478,30 @@ class Finder {
   Undercuts undercuts_;
   PullFinder pulls_;
   double unit_per_mm_, lateral_;
-  PlanDetail detail_;
-  double most_left_;
+  bool roughly_;
   std::vector<std::vector<PullCandidate>> tried_;  // by undercut
   std::vector<UndercutPart> undercut_parts_;
-  std::vector<ActionOption> revolved_;  // threads and rings
+  std::vector<ActionOption> revolved_;                // threads and rings
+  std::optional<std::vector<ActionOption>> options_;  // once they are found
   std::optional<Faces> faces_;
   BodyPlayer bodies_;
 };
 
-}  // namespace
+ActionSearch::ActionSearch(const PartModel& model, const Classification& result,
+                           const ActionSettings& settings, const Progress& progress, bool roughly)
+    : finder_(std::make_unique<Finder>(model, result, settings, progress, roughly)) {}
+
+ActionSearch::~ActionSearch() = default;
+
+const Undercuts& ActionSearch::undercuts() const { return finder_->undercuts(); }
+
+ActionPlan ActionSearch::plan(PlanDetail detail, double most_left) {
+  return finder_->plan(detail, most_left);
+}
 
 ActionPlan find_actions(const PartModel& model, const Classification& result, const ActionSettings& settings,
                         const Progress& progress, PlanDetail detail, double most_left) {
-  return Finder(model, result, settings, progress, detail, most_left).run();
+  return ActionSearch(model, result, settings, progress, detail == PlanDetail::rough).plan(detail, most_left);
 }
 
 }  // namespace moldlight

@@ -150,6 +150,24 @@ enum class PlanDetail : std::uint8_t { whole, rank, rough };
                                       PlanDetail detail = PlanDetail::whole,
                                       double most_left = std::numeric_limits<double>::infinity());
 
+/// The same in two steps, for who asks for more of a direction later: what is possible is found once, the set
+/// that is chosen from it each time. All that it is made of must outlive it.
+class ActionSearch {
+ public:
+  /// `roughly`: for plans of PlanDetail::rough alone.
+  ActionSearch(const PartModel& model, const Classification& result, const ActionSettings& settings,
+               const Progress& progress, bool roughly = false);
+  ~ActionSearch();
+
+  [[nodiscard]] const Undercuts& undercuts() const;
+  [[nodiscard]] ActionPlan plan(PlanDetail detail,
+                                double most_left = std::numeric_limits<double>::infinity());
+
+ private:
+  class Finder;
+  std::unique_ptr<Finder> finder_;
+};
+
 /// What a plan comes to, without the list of its actions. Areas are in the part's unit squared.
 struct ActionTotals {
   ActionCounts counts{};

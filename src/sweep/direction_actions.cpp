@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "classify/classification.hpp"
+#include "sweep/arena_threads.hpp"
 
 namespace moldlight {
 
@@ -17,6 +18,8 @@ namespace {
 
 /// Every direction at work holds a part of its own, split at the borders of its regions.
 constexpr std::size_t k_most_facets_together = 2'000'000;
+/// What is possible of a direction is kept for a plan of the whole.
+constexpr std::size_t k_most_facets_kept = 1'000'000;
 constexpr double k_weight_steps = 1e6;              // in 1, so that sums of decimals are decimals again
 constexpr double k_trifle = 1e-3;                   // of the surface
 constexpr std::size_t k_many = 5 * k_most_actions;  // undercuts, of which few samples say as much
@@ -69,19 +72,51 @@ bool ActionLimit::is_far_exceeded(const DirectionActions& rough) const {
           rough.weight - rough.in_vain + per_area * rough.formed_area > most + k_rough_margin);
 }
 
+struct DirectionActionFinder::Kept {
+  Kept(const PartModel& model, const Query& query, const ActionSettings& settings, const SweepClock& clock)
+      : direction(query.direction.unit()),
+        progress(clock.until_cancelled()),
+        split(classify_exact(model, query, Progress(&progress), true)),
+        search(model, split, settings, progress) {}
+
+  glm::dvec3 direction;
+  Progress progress;
+  Classification split;
+  ActionSearch search;
+};
+
+DirectionActionFinder::DirectionActionFinder(const PartModel& model, const MethodSettings& method,
+                                             const ActionSettings& settings, int jobs)
+    : model_(model), method_(method), settings_(settings), jobs_(jobs), arena_(arena_threads(jobs)) {}
+
+DirectionActionFinder::~DirectionActionFinder() = default;
+
+void DirectionActionFinder::keep(std::unique_ptr<Kept> search) {
+  const std::lock_guard lock(mutex_);
+  if ((kept_.size() + 1) * model_.part.mesh.facets.size() <= k_most_facets_kept)
+    kept_.push_back(std::move(search));
+}
+
+std::unique_ptr<DirectionActionFinder::Kept> DirectionActionFinder::take(const glm::dvec3& direction) {
+  const std::lock_guard lock(mutex_);
+  const auto found =
+      std::ranges::find(kept_, direction, [](const auto& search) { return search->direction; });
+  if (found == kept_.end()) return nullptr;
+  std::unique_ptr<Kept> search = std::move(*found);
+  kept_.erase(found);
+  return search;
+}
+
 std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3& direction,
                                                                 const ActionLimit& limit, PlanDetail detail,
-                                                                const Progress& progress) const {
+                                                                const SweepClock& clock) {
   try {
-    const Classification split = classify_exact(model_, {direction, method_}, Progress(&progress), true);
-    const auto found = [&](PlanDetail asked) {
-      return direction_actions(
-          find_actions(model_, split, settings_, Progress(&progress), asked, limit.most_left), split);
-    };
+    std::unique_ptr<Kept> search = take(direction);
+    if (!search) search = std::make_unique<Kept>(model_, Query{direction, method_}, settings_, clock);
+    const Classification& split = search->split;
     const bool limited = std::isfinite(limit.most) || std::isfinite(limit.most_undercut);
     if (limited || limit.roughly) {
-      Undercuts undercuts = find_undercuts(model_, *split.split, exact_query(model_, split.query()),
-                                           Progress(&progress), settings_.least_travel_mm);
+      Undercuts undercuts = search->search.undercuts();
       const UndercutTotals totals = totals_of(undercuts);
       // Inserts for what is smaller may count for less than a slide.
       const double trifle = k_trifle * model_.geometry.total_area / facts(ActionKind::insert).weight;
@@ -92,14 +127,17 @@ std::optional<DirectionActions> DirectionActionFinder::find_one(const glm::dvec3
       if (limited && limit.is_exceeded(least, totals)) return given_up;
       const bool many = totals.count > k_many;
       if (limit.roughly && (limited || many)) {
-        DirectionActions rough = found(PlanDetail::rough);
+        DirectionActions rough = direction_actions(
+            find_actions(model_, split, settings_, search->progress, PlanDetail::rough, limit.most_left),
+            split);
         if (limited && limit.is_far_exceeded(rough)) return given_up;
         if (many) return rough;
       }
     }
-    DirectionActions actions = found(detail);
+    DirectionActions actions = direction_actions(search->search.plan(detail, limit.most_left), split);
     actions.given_up = actions.totals.unreleased_area > limit.most_left;
     actions.whole = detail == PlanDetail::whole;
+    if (detail == PlanDetail::rank && !actions.given_up) keep(std::move(search));
     return actions;
   } catch (const Cancelled&) {
     return std::nullopt;
@@ -113,7 +151,6 @@ std::vector<std::optional<DirectionActions>> DirectionActionFinder::find(
   const std::size_t facets = std::max<std::size_t>(1, model_.part.mesh.facets.size());
   const std::size_t together =
       std::clamp<std::size_t>(k_most_facets_together / facets, 1, static_cast<std::size_t>(jobs_));
-  const Progress progress = clock.until_cancelled();
   std::size_t next = 0;
   const auto begin = tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
                                                          [&](tbb::flow_control& control) -> std::size_t {
@@ -127,7 +164,7 @@ std::vector<std::optional<DirectionActions>> DirectionActionFinder::find(
       tbb::make_filter<std::size_t, void>(tbb::filter_mode::parallel, [&](const std::size_t& k) {
         // A thread that waits for parts of this direction begins no other one.
         tbb::this_task_arena::isolate([&] {
-          found[k] = find_one(directions[k], limits.empty() ? ActionLimit{} : limits[k], detail, progress);
+          found[k] = find_one(directions[k], limits.empty() ? ActionLimit{} : limits[k], detail, clock);
         });
         done();
       });

@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,7 +17,6 @@
 #include "actions/side_action.hpp"
 #include "base/progress.hpp"
 #include "classify/part_model.hpp"
-#include "sweep/arena_threads.hpp"
 #include "sweep/sweep_clock.hpp"
 
 namespace moldlight {
@@ -63,26 +64,33 @@ class DirectionActionFinder {
  public:
   /// `jobs`: the number of threads. All but them must outlive the finder.
   DirectionActionFinder(const PartModel& model, const MethodSettings& method, const ActionSettings& settings,
-                        int jobs)
-      : model_(model), method_(method), settings_(settings), jobs_(jobs), arena_(arena_threads(jobs)) {}
+                        int jobs);
+  ~DirectionActionFinder();
 
   /// In the order of the directions, whatever the number of threads; nothing for what the clock stops before
   /// it is begun, or cancels. `done` is called after each, from any thread. `limits`: of each, or none.
-  /// Bodies are moved where the detail is `whole`.
+  /// Bodies are moved where the detail is `whole`. The clock must outlive the finder.
   [[nodiscard]] std::vector<std::optional<DirectionActions>> find(
       std::span<const glm::dvec3> directions, std::span<const ActionLimit> limits, const SweepClock& clock,
       PlanDetail detail = PlanDetail::rank, const std::function<void()>& done = [] {});
 
  private:
+  struct Kept;
+
   [[nodiscard]] std::optional<DirectionActions> find_one(const glm::dvec3& direction,
                                                          const ActionLimit& limit, PlanDetail detail,
-                                                         const Progress& progress) const;
+                                                         const SweepClock& clock);
+  /// What is possible of a direction that may be asked for as a whole later, as long as there is room.
+  void keep(std::unique_ptr<Kept> search);
+  [[nodiscard]] std::unique_ptr<Kept> take(const glm::dvec3& direction);
 
   const PartModel& model_;
   const MethodSettings& method_;
   const ActionSettings& settings_;
   int jobs_;
   tbb::task_arena arena_;
+  std::mutex mutex_;  // of what is kept
+  std::vector<std::unique_ptr<Kept>> kept_;
 };
 
 }  // namespace moldlight
