@@ -15,7 +15,9 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_bridged = 2.0;  // of the longer undercut along the pull: a gap that a slide passes
+constexpr double k_bridged = 2.0;    // of the longer undercut along the pull: a gap that a slide passes
+constexpr double k_elsewhere = 0.5;  // cosine at most between a pull and another one
+constexpr double k_shorter = 0.999;  // of a way, at most, that is shorter
 
 class Sharing {
  public:
@@ -152,11 +154,17 @@ class Sharing {
     return {std::max(least[0] - greatest[1], least[1] - greatest[0]), longer, shorter};
   }
 
-  /// What lies behind the other is reached through the steel between: a pin through knuckles, but not one
-  /// through the core of a box.
+  /// What lies behind the other is reached through the steel between: a pin through knuckles, or through
+  /// ribs, but not one through the core of a box to what has a shorter way out on its other side.
   [[nodiscard]] bool is_far_behind(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
     const Spacing between = spacing(a, b, pull);
-    return between.gap > k_bridged * between.longer && are_in_line(a, b, pull);
+    if (between.gap <= k_bridged * between.longer || !are_in_line(a, b, pull)) return false;
+    const std::size_t behind = glm::dot(balls_[a].centre, pull) < glm::dot(balls_[b].centre, pull) ? a : b;
+    const double way = pulls_.release().reach(pull) - glm::dot(balls_[behind].centre, pull);
+    return std::ranges::any_of(undercut_parts_[behind].pulls, [&](const Pull& other) {
+      return is_slide(other.kind) && glm::dot(other.direction, pull) < k_elsewhere &&
+             other.way < k_shorter * way;
+    });
   }
 
   [[nodiscard]] bool are_near(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
