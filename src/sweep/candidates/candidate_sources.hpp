@@ -44,7 +44,7 @@ struct CurvedPatch {
 };
 
 /// Patches that turn by 60 degrees at least, each facet in one patch at most. Facets that lie in one plane
-/// are one strip of a patch; neighbouring strips are up to 40 degrees apart.
+/// are one strip of a patch; neighbouring strips are up to 40 degrees apart. Slices of a bent pipe are none.
 [[nodiscard]] std::vector<CurvedPatch> curved_patches(const FacetGeometry& geometry,
                                                       const Adjacency& adjacency);
 

@@ -133,6 +133,8 @@ class PatchGrower {
 
   [[nodiscard]] bool is_taken(Strip strip) const { return taken_[strip]; }
   [[nodiscard]] bool is_exhausted() const { return visits_ > k_most_visits; }
+  /// Of the patch that was grown last.
+  [[nodiscard]] std::span<const Strip> last() const { return last_; }
 
   /// A patch through the seed and two of its neighbours, one on either side.
   std::optional<CurvedPatch> grow(Strip seed) {
@@ -173,6 +175,7 @@ class PatchGrower {
       cone = fit.cone;
     }
     for (const Strip strip : members_) taken_[strip] = true;
+    last_ = members_;
     return CurvedPatch{fit.cone.axis, fit.area, fit.full_turn};
   }
 
@@ -197,11 +200,14 @@ class PatchGrower {
   std::vector<bool> taken_;
   std::vector<std::uint32_t> seen_in_;  // number of the collection that last saw a strip
   std::uint32_t current_ = 0;
-  std::vector<Strip> members_;
+  std::vector<Strip> members_, last_;
   std::size_t visits_ = 0;
 };
 
 constexpr double k_same_axis_deg = 0.3;
+constexpr double k_bend_deg = 25.0;  // between slices of a bend, at most
+constexpr double k_least_neighbour =
+    0.5;  // of a slice's area: a straight pipe is longer than those it leads to
 constexpr double k_least_share_full = 0.0005, k_least_share_partial = 0.005;  // of the surface
 
 struct Axis {
@@ -237,6 +243,27 @@ std::string patches_text(const Axis& axis) {
   return text + (axis.patches == 1 ? " cylinder or cone" : " cylinders or cones");
 }
 
+/// Slices of a bent pipe have axes, but no designer would name one.
+void drop_slices_of_bends(const Strips& strips, std::span<const std::size_t> patch_of,
+                          std::vector<CurvedPatch>& patches) {
+  std::vector<char> is_slice(patches.size(), 0);
+  for (Strip strip = 0; strip < patch_of.size(); ++strip) {
+    for (const Strip next : strips.neighbours(strip)) {
+      const std::size_t one = patch_of[strip], other = patch_of[next];
+      if (one == other || std::max(one, other) >= patches.size()) continue;
+      const double angle_deg = line_angle_deg(patches[one].axis, patches[other].axis);
+      if (angle_deg > k_same_axis_deg && angle_deg < k_bend_deg &&
+          patches[other].area >= k_least_neighbour * patches[one].area)
+        is_slice[one] = 1;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    if (is_slice[k] == 0) patches[kept++] = patches[k];
+  }
+  patches.resize(kept);
+}
+
 }  // namespace
 
 std::vector<CurvedPatch> curved_patches(const FacetGeometry& geometry, const Adjacency& adjacency) {
@@ -246,12 +273,17 @@ std::vector<CurvedPatch> curved_patches(const FacetGeometry& geometry, const Adj
   std::ranges::stable_sort(seeds, std::greater{}, [&](Strip strip) { return strips.areas[strip]; });
 
   std::vector<CurvedPatch> patches;
+  std::vector<std::size_t> patch_of(seeds.size(), seeds.size());
   PatchGrower grower(strips);
   for (const Strip seed : seeds) {
     if (grower.is_exhausted()) break;
     if (grower.is_taken(seed)) continue;
-    if (auto patch = grower.grow(seed)) patches.push_back(*patch);
+    const auto patch = grower.grow(seed);
+    if (!patch) continue;
+    for (const Strip strip : grower.last()) patch_of[strip] = patches.size();
+    patches.push_back(*patch);
   }
+  drop_slices_of_bends(strips, patch_of, patches);
   return patches;
 }
 
