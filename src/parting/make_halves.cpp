@@ -415,7 +415,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
                        const MoldSettings& settings, const Progress& progress, const Beside& beside) {
   validate(settings, model.frame.diagonal);
   MoldHalves halves;
-  halves.frame = mold_frame(direction);
+  halves.frame = mold_frame(model, direction);
   halves.centre = model.frame.center;
   halves.scale = 1.0 / (1.0 - 0.01 * settings.shrink_pct);
   Bounds box;

@@ -1,9 +1,13 @@
 #include "parting/mold_halves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "actions/part_axes.hpp"
 
 namespace moldlight {
 
@@ -28,6 +32,18 @@ MoldFrame mold_frame(const glm::dvec3& direction) {
   glm::dvec3 least(0.0);
   least[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1.0;
   frame.x = glm::normalize(glm::cross(least, direction));
+  frame.y = glm::cross(direction, frame.x);
+  return frame;
+}
+
+MoldFrame mold_frame(const PartModel& model, const glm::dvec3& direction) {
+  MoldFrame frame = mold_frame(direction);
+  if (axis_of(direction) >= 0) return frame;
+  const PartAxes axes = part_axes(model, direction);
+  if (!axes.by_walls) return frame;
+  const std::array<glm::dvec3, 4> along = {axes.x, -axes.x, axes.y, -axes.y};
+  const auto off = [&](const glm::dvec3& way) { return -glm::dot(way, frame.x); };
+  frame.x = glm::normalize(*std::ranges::min_element(along, {}, off));
   frame.y = glm::cross(direction, frame.x);
   return frame;
 }

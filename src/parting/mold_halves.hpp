@@ -37,6 +37,9 @@ struct MoldFrame {
 /// For a unit direction. Along an axis of the part the mold's axes are the part's, in another order, so that
 /// coordinates stay what they are to the bit.
 [[nodiscard]] MoldFrame mold_frame(const glm::dvec3& direction);
+/// Along other directions x and y are where the part's upright walls face, if these say so: the block is
+/// square to them, and so are slides in it.
+[[nodiscard]] MoldFrame mold_frame(const PartModel& model, const glm::dvec3& direction);
 
 /// 0, 1, 2 where the direction is along that axis of the part, either way; else -1.
 [[nodiscard]] int axis_of(const glm::dvec3& direction);
