@@ -12,6 +12,7 @@
 #include "classify/number_format.hpp"
 #include "compare/criteria.hpp"
 #include "mesh/length_unit.hpp"
+#include "parting/planar_line.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight {
@@ -138,8 +139,8 @@ void compare_molds(const OverlaySide& side_a, const OverlaySide& side_b, const C
     comparison.remarks.emplace_back("The steel to cut and to add is not known, since a part is not closed");
     return;
   }
-  const Assignment of_a = assign_sides(*a.model, {query.a, a.result.settings}, {}, progress),
-                   of_b = assign_sides(*b.model, {query.b, b.result.settings}, {}, progress);
+  const Assignment of_a = find_mold_line(*a.model, {query.a, a.result.settings}, {}, progress).assignment,
+                   of_b = find_mold_line(*b.model, {query.b, b.result.settings}, {}, progress).assignment;
   MoldChange mold;
   mold.places =
       find_steel({side_a, of_a, plan_of(a)}, {side_b, of_b, plan_of(b)}, comparison.surface, progress);

@@ -31,6 +31,7 @@ constexpr double k_given_weight = 1e3, k_wish_weight = 1e5;
 /// Undercuts of less than this share of the part's area are left to either half.
 constexpr double k_undercut_floor = 1e-5;
 constexpr std::size_t k_most_heights = 10;
+constexpr std::uint8_t k_divided = 2;  // of a free piece, for as long as sides are sought
 constexpr double k_level_sine = 0.01;  // a crease that climbs less is level
 /// Pieces that are narrower, as a share of the diagonal, are what rounding leans out or hides.
 constexpr double k_least_width = 1e-6;
@@ -41,12 +42,12 @@ struct Costs {
   std::vector<std::array<double, 2>> draft;  // of each piece at core and cavity
   std::vector<double> area, middle;          // of each piece; height of its centre
   double per_height = 0.0;                   // cost of an area a length away from the assigned height
-  double per_side = 0.0;                     // and of any area on its wrong side
+  std::vector<double> per_side;              // and of any of a piece's area on its wrong side
 
   [[nodiscard]] double at_height(PieceIndex piece, int side, double height) const {
     const double above = middle[piece] - height;
     const double wrong = side == 0 ? -above : above;  // the core's side is above
-    return wrong > 0.0 ? area[piece] * (per_side + wrong * per_height) : 0.0;
+    return wrong > 0.0 ? area[piece] * (per_side[piece] + wrong * per_height) : 0.0;
   }
 };
 
@@ -69,37 +70,12 @@ Costs costs_of(const PartModel& model, const Assignment& assignment) {
                              : k_draft_weight * area * std::abs(sine) / model.frame.diagonal;
     costs.draft.push_back({sine < 0.0 ? draft : 0.0, sine > 0.0 ? draft : 0.0});
     costs.area.push_back(area);
+    costs.per_side.push_back(assignment.free[piece] == k_divided ? k_given_weight / model.frame.diagonal
+                                                                 : 0.0);
     costs.middle.push_back(
         glm::dot(mesh.vertices[corners[0]] + mesh.vertices[corners[1]] + mesh.vertices[corners[2]], d) / 3.0);
   }
   return costs;
-}
-
-/// Heights of the longest level creases at free pieces, the longest first.
-std::vector<double> level_heights(const PartModel& model, const Assignment& assignment) {
-  std::map<std::int64_t, double> length_at;
-  const double step = 1e-4 * model.frame.diagonal;
-  const glm::dvec3& d = assignment.direction;
-  double low = INFINITY, high = -INFINITY;
-  for (std::size_t k = 0; k < assignment.edges.edges.size(); ++k) {
-    const PieceEdge& edge = assignment.edges.edges[k];
-    const glm::dvec3 &a = assignment.mesh.vertices[edge.from], &b = assignment.mesh.vertices[edge.to];
-    low = std::min({low, glm::dot(a, d), glm::dot(b, d)});
-    high = std::max({high, glm::dot(a, d), glm::dot(b, d)});
-    const bool may_change =
-        assignment.free[edge.left] != 0 || (edge.right != k_no_piece && assignment.free[edge.right] != 0);
-    const double length = glm::distance(a, b);
-    if (!may_change || assignment.crease[k] == 0 || std::abs(glm::dot(b - a, d)) > k_level_sine * length)
-      continue;
-    length_at[static_cast<std::int64_t>(std::llround(0.5 * glm::dot(a + b, d) / step))] += length;
-  }
-  std::vector<std::pair<double, double>> found;
-  for (const auto& [place, length] : length_at) found.emplace_back(length, static_cast<double>(place) * step);
-  std::ranges::stable_sort(found, std::greater(), &std::pair<double, double>::first);
-  std::vector<double> heights;
-  for (std::size_t k = 0; k < std::min(found.size(), k_most_heights); ++k) heights.push_back(found[k].second);
-  if (heights.empty()) heights.push_back(0.5 * (low + high));
-  return heights;
 }
 
 double energy_of(const Assignment& assignment, const Costs& costs, double height,
@@ -269,50 +245,16 @@ void check_height(const PartModel& model, const glm::dvec3& direction, double he
                     height, rounded(low), rounded(high), length_unit(model.part)));
 }
 
-}  // namespace
-
-std::string_view side_name(MoldSide side) {
-  switch (side) {
-    case MoldSide::core:
-      return "core";
-    case MoldSide::cavity:
-      return "cavity";
-    case MoldSide::action:
-      break;
-  }
-  return "action";
-}
-
-Assignment assign_sides(const PartModel& model, const Query& query, const MoldSettings& settings,
-                        const Progress& progress) {
-  Query soft = query;
-  soft.method.tau_deg = std::max(query.method.tau_deg, settings.soft_deg);
-  const ExactQuery exact = exact_query(model, soft);
-  Assignment result;
-  result.direction = exact.direction;
-  result.mesh = exact_split(model.exact(progress), exact, progress).mesh;
-  if (settings.parting_height) check_height(model, result.direction, *settings.parting_height);
-  progress.report("assigning", 0.0);
-
-  result.edges = piece_edges(result.mesh);
-  const double least_width = k_least_width * model.frame.diagonal;
-  const double upright = std::sin(glm::radians(query.method.tau_deg));
-  const std::vector<std::uint8_t> is_action = action_pieces(model, result, exact);
-  result.free.assign(result.mesh.pieces.size(), 0);
-  for (PieceIndex piece = 0; piece < result.mesh.pieces.size(); ++piece) {
-    const auto& [corners, facet, region] = result.mesh.pieces[piece];
-    if (region == Region::undercut) {
-      result.free[piece] = is_action[piece] == 0;  // too small for an action
-    } else {
-      const bool is_wall = std::abs(glm::dot(model.geometry.normals[facet], result.direction)) <= upright;
-      result.free[piece] = region == Region::both || (is_wall && is_needle(result.mesh, piece, least_width));
-    }
-  }
-  if (settings.parting_height) {
+/// Finds the sides of an assignment that knows its mesh, and what of it is free, at one of the heights that
+/// its creases suggest, or at that one.
+void find_sides(const PartModel& model, const MoldSettings& settings, std::optional<double> height,
+                const Progress& progress, Assignment& result) {
+  if (height) {
     cut_at_height(result.mesh, result.free,
                   {.direction = result.direction,
-                   .height = *settings.parting_height,
-                   .tolerance = 1e-6 * model.frame.diagonal});
+                   .height = *height,
+                   .tolerance = 1e-6 * model.frame.diagonal,
+                   .least = k_divided});
     result.edges = piece_edges(result.mesh);
   }
   result.crease = crease_edges(result.mesh, result.edges, model.geometry);
@@ -324,11 +266,9 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
                                                                             : MoldSide::action);
   }
   Costs costs = costs_of(model, result);
-  if (settings.parting_height) costs.per_side = k_given_weight / model.frame.diagonal;
   add_wishes(model, settings, result, costs);
 
-  const std::vector<double> heights =
-      settings.parting_height ? std::vector<double>{*settings.parting_height} : level_heights(model, result);
+  const std::vector<double> heights = height ? std::vector<double>{*height} : level_heights(model, result);
   struct Trial {
     std::vector<MoldSide> sides;
     double energy = 0.0;
@@ -351,9 +291,115 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
   result.energy_to_cavity = all_to(MoldSide::cavity);
   result.energy = best->energy;
   result.sides = std::move(best->sides);
-  join_narrow(result, least_width, exact.lateral * model.frame.diagonal, result.sides);
+  join_narrow(result, k_least_width * model.frame.diagonal, result.lateral, result.sides);
   sum_areas(model, costs, result);
+  for (std::uint8_t& free : result.free) free = free != 0 ? 1 : 0;
+}
+
+}  // namespace
+
+std::string_view side_name(MoldSide side) {
+  switch (side) {
+    case MoldSide::core:
+      return "core";
+    case MoldSide::cavity:
+      return "cavity";
+    case MoldSide::action:
+      break;
+  }
+  return "action";
+}
+
+Assignment assign_sides(const PartModel& model, const Query& query, const MoldSettings& settings,
+                        const Progress& progress) {
+  Query soft = query;
+  soft.method.tau_deg = std::max(query.method.tau_deg, settings.soft_deg);
+  const ExactQuery exact = exact_query(model, soft);
+  Assignment result;
+  result.direction = exact.direction;
+  result.lateral = exact.lateral * model.frame.diagonal;
+  result.mesh = exact_split(model.exact(progress), exact, progress).mesh;
+  if (settings.parting_height) check_height(model, result.direction, *settings.parting_height);
+  progress.report("assigning", 0.0);
+
+  result.edges = piece_edges(result.mesh);
+  const double least_width = k_least_width * model.frame.diagonal;
+  const double upright = std::sin(glm::radians(query.method.tau_deg));
+  const std::vector<std::uint8_t> is_action = action_pieces(model, result, exact);
+  result.free.assign(result.mesh.pieces.size(), 0);
+  for (PieceIndex piece = 0; piece < result.mesh.pieces.size(); ++piece) {
+    const auto& [corners, facet, region] = result.mesh.pieces[piece];
+    if (region == Region::undercut) {
+      result.free[piece] = is_action[piece] == 0;  // too small for an action
+    } else {
+      const bool is_wall = std::abs(glm::dot(model.geometry.normals[facet], result.direction)) <= upright;
+      result.free[piece] = region == Region::both || (is_wall && is_needle(result.mesh, piece, least_width));
+    }
+  }
+  if (settings.parting_height) {
+    for (std::uint8_t& free : result.free) free = free != 0 ? k_divided : 0;
+  }
+  find_sides(model, settings, settings.parting_height, progress, result);
   return result;
+}
+
+Assignment with_divided(const PartModel& model, const MoldSettings& settings, const Assignment& whole,
+                        const DividedWalls& walls, const Progress& progress) {
+  progress.report("assigning", 0.0);
+  Assignment result;
+  result.mesh = whole.mesh;
+  result.edges = whole.edges;
+  result.free = whole.free;
+  result.direction = whole.direction;
+  result.lateral = whole.lateral;
+  for (PieceIndex piece = 0; piece < result.free.size(); ++piece) {
+    if (result.free[piece] != 0 && walls.facets[result.mesh.pieces[piece].facet] != 0)
+      result.free[piece] = k_divided;
+  }
+  find_sides(model, settings, walls.height, progress, result);
+  return result;
+}
+
+LevelLengths::LevelLengths(const glm::dvec3& direction, double diagonal)
+    : direction_(direction), step_(1e-4 * diagonal) {}
+
+void LevelLengths::add(const glm::dvec3& from, const glm::dvec3& to) {
+  const double length = glm::distance(from, to);
+  if (std::abs(glm::dot(to - from, direction_)) > k_level_sine * length) return;
+  const double height = 0.5 * glm::dot(from + to, direction_);
+  Level& level = levels_[std::llround(height / step_)];
+  level.length += length;
+  level.moment += length * height;
+}
+
+std::vector<double> LevelLengths::heights() const {
+  std::vector<Level> found;
+  for (const auto& [place, level] : levels_) {
+    if (level.length > 0.0) found.push_back(level);
+  }
+  std::ranges::stable_sort(found, std::greater(), &Level::length);
+  std::vector<double> heights;
+  for (const Level& level : found) heights.push_back(level.moment / level.length);
+  return heights;
+}
+
+std::vector<double> level_heights(const PartModel& model, const Assignment& assignment) {
+  LevelLengths lengths(assignment.direction, model.frame.diagonal);
+  const glm::dvec3& d = assignment.direction;
+  double low = INFINITY, high = -INFINITY;
+  for (std::size_t k = 0; k < assignment.edges.edges.size(); ++k) {
+    const PieceEdge& edge = assignment.edges.edges[k];
+    const glm::dvec3 &a = assignment.mesh.vertices[edge.from], &b = assignment.mesh.vertices[edge.to];
+    low = std::min({low, glm::dot(a, d), glm::dot(b, d)});
+    high = std::max({high, glm::dot(a, d), glm::dot(b, d)});
+    const bool may_change =
+        assignment.free[edge.left] != 0 || (edge.right != k_no_piece && assignment.free[edge.right] != 0);
+    if (may_change && assignment.crease[k] != 0) lengths.add(a, b);
+  }
+  std::vector<double> heights = lengths.heights();
+  if (heights.size() > k_most_heights) heights.resize(k_most_heights);
+  if (heights.empty()) heights.push_back(0.5 * (low + high));
+  return heights;
 }
 
 }  // namespace moldlight

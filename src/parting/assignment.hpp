@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct Assignment {
   std::vector<std::uint8_t> crease;  // 1 for an edge that bends by more than 30 degrees
   glm::dvec3 direction{0, 0, 1};     // unit
   double height = 0.0;               // at which the halves were assigned to meet
+  double lateral = 0.0;              // the lateral tolerance
   double energy = 0.0, energy_to_core = 0.0, energy_to_cavity = 0.0;  // of it, and of all that is free to one
   std::array<double, k_side_count> areas{};
   double free_area = 0.0;
@@ -50,5 +52,38 @@ struct Assignment {
 /// Throws UsageError for faces that the part has not and for a parting height outside of it, Cancelled.
 [[nodiscard]] Assignment assign_sides(const PartModel& model, const Query& query,
                                       const MoldSettings& settings, const Progress& progress);
+
+/// The same where the free walls of some facets are divided at a height, from an assignment without one. Its
+/// energy is comparable with that one's. Throws Cancelled.
+struct DividedWalls {
+  double height = 0.0;
+  std::vector<std::uint8_t> facets = {};  // 1 for each whose walls are divided
+};
+[[nodiscard]] Assignment with_divided(const PartModel& model, const MoldSettings& settings,
+                                      const Assignment& whole, const DividedWalls& walls,
+                                      const Progress& progress);
+
+/// Lengths of line by the height at which they run, to a ten-thousandth of the part's diagonal.
+class LevelLengths {
+ public:
+  LevelLengths(const glm::dvec3& direction, double diagonal);
+
+  /// Of a piece of line that is level.
+  void add(const glm::dvec3& from, const glm::dvec3& to);
+  /// The means of each, those of the greatest length first.
+  [[nodiscard]] std::vector<double> heights() const;
+
+ private:
+  struct Level {
+    double length = 0.0, moment = 0.0;
+  };
+  glm::dvec3 direction_;
+  double step_;
+  std::map<std::int64_t, Level> levels_;
+};
+
+/// Heights of the longest level creases at free pieces, the longest first; the part's middle where there are
+/// none.
+[[nodiscard]] std::vector<double> level_heights(const PartModel& model, const Assignment& assignment);
 
 }  // namespace moldlight

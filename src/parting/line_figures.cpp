@@ -16,7 +16,6 @@ namespace moldlight {
 
 namespace {
 
-constexpr double k_planar_share = 1e-4;  // of the diagonal
 constexpr double k_steep_deg = 85.0;
 /// A line that goes up and down a few times has this many times its climb.
 constexpr double k_many_climbs = 4.0;

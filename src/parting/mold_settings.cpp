@@ -53,6 +53,10 @@ std::span<const Option<MoldSettings>> mold_options() {
                  s.parting_height =
                      text.empty() ? std::nullopt : std::optional(parse_real({text, "--parting-height"}));
                }}},
+      {"planar_worth_pct", "--planar-worth", "Worth of a plane", "%",
+       "The parting line runs in one plane where the part's outer walls let it, if that costs no more than "
+       "this share of the part's diagonal. The cost is length of line; climbs count four times, edges half.",
+       RealKind<S>{&S::planar_worth_pct, 0.0, 1000.0, 10.0}},
       {"cosmetic", "--cosmetic", "Cosmetic faces", "",
        "Faces that the core or the cavity must form, by the numbers that classify --faces writes. Separate "
        "the halves by a slash: core:1,2/cavity:3.",

@@ -103,7 +103,7 @@ void cut_at_height(SplitMesh& mesh, std::vector<std::uint8_t>& free, const Heigh
   const auto crosses = [&](VertexIndex a, VertexIndex b) { return above[a] * above[b] < 0.0; };
   std::map<std::pair<VertexIndex, VertexIndex>, VertexIndex> middle;
   for (std::size_t piece = 0; piece < mesh.pieces.size(); ++piece) {
-    if (free[piece] == 0) continue;
+    if (free[piece] < cut.least) continue;
     const auto& corners = mesh.pieces[piece].corners;
     for (std::size_t k = 0; k < 3; ++k) {
       const VertexIndex a = corners[k], b = corners[(k + 1) % 3];

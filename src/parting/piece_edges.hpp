@@ -61,6 +61,7 @@ struct HeightCut {
   glm::dvec3 direction{0, 0, 1};
   double height = 0.0;
   double tolerance = 0.0;
+  std::uint8_t least = 1;  // of `free`, of what is cut
 };
 
 /// The mesh stays conforming: neighbours of what is cut are cut at the shared edges. `free` is kept one entry

@@ -19,6 +19,7 @@ MoldSettings of_line(const MoldSettings& settings) {
   kept.soft_deg = settings.soft_deg;
   kept.parting_height = settings.parting_height;
   kept.cosmetic = settings.cosmetic;
+  kept.planar_worth_pct = settings.planar_worth_pct;
   return kept;
 }
 
@@ -108,9 +109,7 @@ Asked<MoldLine>::Inputs Asked<MoldLine>::inputs(const Study& study) {
 }
 std::shared_ptr<const MoldLine> Asked<MoldLine>::find(Study& study, const Progress& progress) {
   const Questions& asked = study.questions();
-  Assignment assignment = assign_sides(study.model(), asked.query, asked.mold, progress);
-  PartingLine line = parting_line(assignment);
-  return std::make_shared<const MoldLine>(std::move(assignment), std::move(line));
+  return shared(find_mold_line(study.model(), asked.query, asked.mold, progress));
 }
 
 Asked<MoldHalves>::Inputs Asked<MoldHalves>::inputs(const Study& study) {

@@ -20,6 +20,7 @@
 #include "parting/mold_halves.hpp"
 #include "parting/mold_pieces.hpp"
 #include "parting/mold_report.hpp"
+#include "parting/planar_line.hpp"
 #include "pieces/find_pieces.hpp"
 #include "pieces/piece_solids.hpp"
 #include "study/verdict.hpp"
@@ -54,14 +55,6 @@ struct SplitRegions {
 struct Changes {
   std::vector<DesignChange> of_undercuts;
 };
-/// Which half forms what, and the line where they meet.
-struct MoldLine {
-  MoldLine(Assignment assigned, PartingLine found)
-      : assignment(std::move(assigned)), line(std::move(found)) {}
-  Assignment assignment;
-  PartingLine line;
-};
-
 class Study;
 
 /// What an answer depends on (`Inputs`, comparable), and how it is found. Declared here once for each.

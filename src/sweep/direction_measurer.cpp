@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include "base/error.hpp"
+#include "parting/planar_line.hpp"
 
 namespace moldlight {
 
@@ -33,7 +34,7 @@ void DirectionMeasurer::find_beside(MeasuredDirection& measured, const MeasuredB
                                           .least_travel_mm = asked.least_travel_mm},
                                          progress);
   if (asked.parting && !measured.parting)
-    measured.parting = line_figures(parting_line(assign_sides(model_, query, {}, progress)));
+    measured.parting = line_figures(find_mold_line(model_, query, {}, progress).line);
 }
 
 void DirectionMeasurer::complete(MeasuredDirection& measured, const Progress& progress) {

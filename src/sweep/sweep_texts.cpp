@@ -35,7 +35,6 @@ std::string side_actions_text(const PartModel& model, const SweepCandidate& cand
 }
 
 std::string mold_text(const PartModel& model, const SweepCandidate& candidate) {
-  constexpr double k_planar_share = 1e-4;  // of the diagonal
   std::string text;
   if (candidate.actions)
     text = candidate.actions->weight > 0.0 || candidate.actions->totals.unreleased_area > 0.0

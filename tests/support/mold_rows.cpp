@@ -9,6 +9,7 @@
 
 #include "base/stopwatch.hpp"
 #include "parting/make_halves.hpp"
+#include "parting/planar_line.hpp"
 #include "support/known_pulls.hpp"
 #include "support/manifest.hpp"
 #include "support/shared_parts.hpp"
@@ -74,8 +75,7 @@ SteelRow steel_row(const PartModel& model, const glm::dvec3& direction, const st
   row.name = name;
   const double diagonal = model.frame.diagonal;
   // As the command makes them: along the parting line.
-  const Assignment assignment = assign_sides(model, {direction, {}}, {}, Progress{});
-  const PartingLine line = parting_line(assignment);
+  const auto [assignment, line] = find_mold_line(model, {direction, {}}, {}, Progress{});
   row.line_climb = std::max(line.outer_high - line.outer_low, 0.0) / diagonal;
   row.planar_line = row.line_climb <= 1e-4;
   const Stopwatch watch;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -63,6 +64,58 @@ TEST(SlideWay, OfAHoleInAWallIsTheShorterOne) {
     EXPECT_NEAR(planned.plan.actions[0].direction.x, at_far_end ? 1.0 : -1.0, 1e-9);
     EXPECT_NEAR(planned.plan.actions[0].travel, 5.0 + 3.0, 1e-3);
   }
+}
+
+/// Upright ribs on a plate, the first `bored` of them with a square hole in line.
+TriangleMesh ribs_with_holes(int ribs, int bored) {
+  constexpr double k_apart = 8.0, k_thick = 2.0, k_first = 4.0, k_width = 30.0;
+  const auto begin = [](int rib) { return k_first + k_apart * rib; };
+  const double length = begin(ribs) + k_first;
+  Loop2 side = {{0, 0}, {length, 0}, {length, 3}};
+  for (int rib = ribs - 1; rib >= 0; --rib) {
+    const double from = begin(rib), to = from + k_thick;
+    for (const glm::dvec2& corner : {glm::dvec2(to, 3), {to, 18}, {from, 18}, {from, 3}})
+      side.push_back(corner);
+  }
+  side.emplace_back(0, 3);
+  SolidBuilder solid;
+  test::Loop near, far;
+  for (const glm::dvec2& corner : side) near.emplace_back(corner.x, 0.0, corner.y);
+  for (auto corner = side.rbegin(); corner != side.rend(); ++corner)
+    far.emplace_back(corner->x, k_width, corner->y);
+  solid.face(near);
+  solid.face(far);
+  const double last = begin(bored - 1) + k_thick;
+  for (std::size_t k = 0; k < side.size(); ++k) {
+    const glm::dvec2 &a = side[k], &b = side[(k + 1) % side.size()];
+    std::vector<test::Loop> holes;
+    if (a.x == b.x && a.x > 0.0 && a.x <= last)
+      holes.push_back({{a.x, 12, 8}, {a.x, 18, 8}, {a.x, 18, 14}, {a.x, 12, 14}});
+    solid.face({{a.x, 0, a.y}, {a.x, k_width, a.y}, {b.x, k_width, b.y}, {b.x, 0, b.y}}, holes);
+  }
+  for (int rib = 0; rib < bored; ++rib)
+    solid.box({begin(rib), 12, 8}, {begin(rib) + k_thick, 18, 14}, {0, 1}, true);
+  return solid.mesh();
+}
+
+/// Not one a rib, each through the place of the one before.
+TEST(SlideWay, OfHolesInLineIsOneSlideFromEitherSide) {
+  const Planned planned = plan_of(ribs_with_holes(6, 6));
+  ASSERT_EQ(actions_text(planned.plan), "2 slides");
+  for (const SideAction& action : planned.plan.actions) {
+    EXPECT_EQ(action.undercuts.size(), 3U);
+    EXPECT_NEAR(std::abs(action.direction.x), 1.0, 1e-9);
+    EXPECT_NEAR(action.travel, 18.0 + 3.0, 1e-3) << "past the outermost rib";
+  }
+  EXPECT_LT(planned.plan.actions[0].direction.x * planned.plan.actions[1].direction.x, 0.0);
+}
+
+TEST(SlideWay, OfHolesInLineBeforeAClosedRibIsOneSlide) {
+  const Planned planned = plan_of(ribs_with_holes(5, 4));
+  ASSERT_EQ(actions_text(planned.plan), "1 slide");
+  EXPECT_EQ(planned.plan.actions[0].undercuts.size(), 4U);
+  EXPECT_NEAR(planned.plan.actions[0].direction.x, -1.0, 1e-9);
+  EXPECT_NEAR(planned.plan.actions[0].travel, 26.0 + 3.0, 1e-3);
 }
 
 /// Wherever its facets lie.

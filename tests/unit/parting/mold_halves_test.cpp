@@ -1,4 +1,5 @@
 // Mold halves of solids for which they are known.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,6 +15,7 @@
 #include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/curved_solids.hpp"
+#include "support/mesh_edits.hpp"
 #include "support/mold_checks.hpp"
 #include "support/shapes.hpp"
 #include "unit/parting/certified_halves.hpp"
@@ -98,7 +100,7 @@ TEST(MoldHalves, OfCurvedSolidsKeepTheSlope) {
 }
 
 TEST(MoldHalves, LeaveUndercutsToInserts) {
-  const test::Shape shape = test::cup_with_side_hole({});
+  const test::Shape shape = test::cup({});
   const MoldHalves halves = halves_of(model_of(shape.mesh), shape.direction, 1.0);
   expect_certified(halves, "cup", &shape.mesh);
   ASSERT_EQ(halves.inserts.size(), 1U);
@@ -126,6 +128,27 @@ TEST(MoldHalves, AreTheSameTwice) {
                    two = halves_of(model_of(torus), {0, 0, 1}, 0.0);
   EXPECT_EQ(one.core.mesh.vertices, two.core.mesh.vertices);
   EXPECT_EQ(one.core.mesh.facets, two.core.mesh.facets);
+}
+
+TEST(MoldHalves, OfATurnedPartHaveABlockThatIsSquareToItsWalls) {
+  const test::Shape upright = test::cup({});
+  MoldSettings settings;
+  settings.margin = 5.0;
+  const double diagonal = model_of(upright.mesh)->frame.diagonal;
+  const auto size_of = [](const MoldHalves& halves, double unit) {
+    const glm::dvec2 size = unit * (halves.block_high - halves.block_low);
+    return glm::dvec2(std::min(size.x, size.y), std::max(size.x, size.y));
+  };
+  const MoldHalves straight = halves_of(model_of(upright.mesh), upright.direction, 0.5, settings);
+  ASSERT_TRUE(straight.made()) << straight.refusal;
+  for (const std::uint32_t seed : {1U, 2U, 3U}) {
+    const glm::dquat rotation = test::random_rotation(seed);
+    const auto part = model_of(test::rotated(upright.mesh, rotation));
+    const MoldHalves turned = halves_of(part, rotation * upright.direction, 0.5, settings);
+    ASSERT_TRUE(turned.made()) << turned.refusal;
+    EXPECT_LT(glm::distance(size_of(turned, part->frame.diagonal), size_of(straight, diagonal)), 0.1)
+        << "columns of the block are whole";
+  }
 }
 
 /// Why, where, at which loop, and what to change.

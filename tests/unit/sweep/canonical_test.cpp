@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -50,6 +51,29 @@ TEST(Canonical, PlanesAreFoundInATurnedPart) {
   const Candidate* smallest = along(found, rotation * glm::dvec3(1, 0, 0), 1e-9);
   ASSERT_NE(smallest, nullptr);
   EXPECT_EQ(smallest->canonical->name, "normal of planes, 14 % of the surface");
+}
+
+/// A bent pipe of radius 8, which may begin with a straight piece along y.
+TriangleMesh bent_pipe(double straight) {
+  test::TubeShape pipe{.centres = {}, .radius = 8.0, .inner_radius = 6.0, .normal = {0, 0, 1}, .sides = 48};
+  if (straight > 0.0) pipe.centres.emplace_back(30.0, -straight, 0.0);
+  constexpr int k_sections = 22;
+  for (int k = 0; k <= k_sections; ++k) {
+    const double angle = glm::radians(90.0 * k / k_sections);
+    pipe.centres.emplace_back(30.0 * std::cos(angle), 30.0 * std::sin(angle), 0.0);
+  }
+  return test::tube_mesh(pipe);
+}
+
+TEST(Canonical, SlicesOfABendAreNoRoundWalls) {
+  for (const Candidate& each : canonical_of(bent_pipe(0.0))) {
+    const std::string name = each.canonical ? each.canonical->name : "";
+    EXPECT_EQ(name.find("round walls"), std::string::npos) << name;
+  }
+  const std::vector<Candidate> found = canonical_of(bent_pipe(60.0));
+  const Candidate* along_pipe = along(found, {0, 1, 0}, 0.01);
+  ASSERT_NE(along_pipe, nullptr);
+  EXPECT_GT(along_pipe->canonical->share, 0.4) << "a straight pipe that leads to a bend is one";
 }
 
 TEST(Canonical, RoundWallsAboutTheNormalOfPlanesAreNamedWithThem) {

@@ -1,0 +1,68 @@
+#include "parting/planar_line.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/classify_mesh.hpp"
+#include "support/solid_builder.hpp"
+
+namespace moldlight {
+namespace {
+
+/// A block from the origin with a tab on its +x wall between two heights.
+TriangleMesh block_with_tab(const glm::dvec3& size, double low, double high) {
+  const glm::dvec3 tab_low(size.x, 0.4 * size.y, low), tab_high(size.x + 3.0, 0.6 * size.y, high);
+  test::SolidBuilder solid;
+  solid.box({0, 0, 0}, size, {1});
+  solid.face(test::box_face({0, 0, 0}, size, 1), {test::box_face(tab_low, {size.x, tab_high.y, high}, 1)});
+  solid.box(tab_low, tab_high, {0});
+  return solid.mesh();
+}
+
+MoldLine line_of(const TriangleMesh& mesh, double worth_pct) {
+  MoldSettings settings;
+  settings.planar_worth_pct = worth_pct;
+  return find_mold_line(*test::model_of(mesh), {glm::dvec3(0, 0, 1), {}}, settings, Progress{});
+}
+
+double climb(const PartingLine& line) { return line.outer_high - line.outer_low; }
+
+/// Both ends of the tab are as good: the line of a long post need not go to one of the post's.
+TEST(PlanarLine, RunsRoundAPostAtItsTab) {
+  const TriangleMesh post = block_with_tab({10, 10, 60}, 27, 33);
+  const Assignment along_edges =
+      assign_sides(*test::model_of(post), {glm::dvec3(0, 0, 1), {}}, {}, Progress{});
+  EXPECT_GT(climb(parting_line(along_edges)), 26.0);
+  for (const double worth_pct : {0.0, 50.0}) {
+    const MoldLine found = line_of(post, worth_pct);
+    EXPECT_LT(climb(found.line), 1e-9);
+    EXPECT_NEAR(std::abs(found.line.outer_low - 30.0), 3.0, 1e-9);
+    EXPECT_LT(found.assignment.energy, along_edges.energy);
+    EXPECT_TRUE(found.line.euler.accounted());
+    double area = 0.0;
+    for (const MoldSide side : k_mold_sides) area += found.assignment.area(side);
+    EXPECT_NEAR(area, 2600.0 + 6.0 * 3.0 * 2.0 + 2.0 * 3.0 * 2.0, 1e-9);
+  }
+}
+
+TEST(PlanarLine, LeavesAnEdgeForWhatItIsWorthAlone) {
+  const TriangleMesh block = block_with_tab({40, 30, 30}, 20, 26);
+  EXPECT_NEAR(climb(line_of(block, 0.0).line), 4.0, 1e-9) << "from the upper edge to the tab";
+  EXPECT_NEAR(climb(line_of(block, 50.0).line), 4.0, 1e-9);
+  const MoldLine planar = line_of(block, 200.0);
+  EXPECT_LT(climb(planar.line), 1e-9);
+  EXPECT_NEAR(std::abs(planar.line.outer_low - 23.0), 3.0, 1e-9);
+}
+
+TEST(PlanarLine, StaysAtTheHeightThatIsGiven) {
+  MoldSettings settings;
+  settings.parting_height = 10.0;
+  settings.planar_worth_pct = 1000.0;
+  const auto model = test::model_of(block_with_tab({40, 30, 30}, 20, 26));
+  EXPECT_NEAR(find_mold_line(*model, {glm::dvec3(0, 0, 1), {}}, settings, Progress{}).line.outer_low, 10.0,
+              1e-9);
+}
+
+}  // namespace
+}  // namespace moldlight
