@@ -125,6 +125,7 @@ Json rejected_json(const RejectedAction& rejected) {
           {"depth", rejected.depth > 0.0 ? Json(rejected.depth) : Json()},
           {"when", rejected.depth > 0.0 ? Json(stage_text(rejected.when)) : Json()},
           {"width", rejected.width > 0.0 ? Json(rejected.width) : Json()},
+          {"strain", rejected.strain > 0.0 ? Json(rejected.strain) : Json()},
           {"left", rejected.left > 0.0 ? Json(rejected.left) : Json()}};
 }
 
@@ -222,6 +223,9 @@ std::string rejected_text(const PartModel& model, const ActionPlan& plan) {
                            rounded(rejected.travel), unit);
       case RejectReason::thin_pin:
         return fmt::format("its core pin of {} {} is too thin", rounded(rejected.width), unit);
+      case RejectReason::too_strained:
+        return fmt::format("the part would stretch by {} %, more than --strip-strain permits",
+                           rounded(100.0 * rejected.strain));
       case RejectReason::leaves_rest:
         return fmt::format("it leaves {} unreleased", style.with_unit(FigureKind::area, rejected.left));
       default:

@@ -248,6 +248,8 @@ class ActionSearch::Finder {
     std::vector<RejectedAction> hitting = std::exchange(plan.rejected, {});
     add_lifters_without_room(plan);
     add_thin_pins(plan);
+    std::ranges::copy_if(revolved_.rejected, std::back_inserter(plan.rejected),
+                         [&](const RejectedAction& ring) { return !is_well_released(plan, ring.undercut); });
     for (RejectedAction& rejected : hitting) {
       const bool known = std::ranges::any_of(plan.rejected, [&](const RejectedAction& other) {
         return other.undercut == rejected.undercut && other.kind == rejected.kind;
@@ -297,7 +299,7 @@ class ActionSearch::Finder {
   /// 1 for each undercut part that a thread or a ring releases.
   [[nodiscard]] std::vector<char> revolved_atoms() const {
     std::vector<char> revolved(undercut_parts_.size(), 0);
-    for (const ActionOption& option : revolved_) {
+    for (const ActionOption& option : revolved_.options) {
       for (const std::size_t k : option.undercut_parts) revolved[k] = 1;
     }
     return revolved;
@@ -369,7 +371,7 @@ class ActionSearch::Finder {
 
   std::vector<ActionOption> find_options() const {
     std::vector<ActionOption> options = pull_options(undercut_parts_, pulls_, sharing_reach());
-    options.insert(options.begin(), revolved_.begin(), revolved_.end());
+    options.insert(options.begin(), revolved_.options.begin(), revolved_.options.end());
     return options;
   }
 
@@ -481,7 +483,7 @@ class ActionSearch::Finder {
   bool roughly_;
   std::vector<std::vector<PullCandidate>> tried_;  // by undercut
   std::vector<UndercutPart> undercut_parts_;
-  std::vector<ActionOption> revolved_;                // threads and rings
+  RevolvedOptions revolved_;                          // threads and rings
   std::optional<std::vector<ActionOption>> options_;  // once they are found
   std::optional<Faces> faces_;
   BodyPlayer bodies_;

@@ -26,7 +26,7 @@ class RevolvedFinder {
         progress_(context.progress),
         undercut_parts_(undercut_parts) {}
 
-  std::vector<ActionOption> find() {
+  RevolvedOptions find() {
     std::vector<std::size_t> stuck, threads;
     for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
       if (!undercut_parts_[k].pulls.empty() ||
@@ -35,14 +35,14 @@ class RevolvedFinder {
       stuck.push_back(k);
       if (undercut_parts_[k].allows(ActionKind::unscrew)) threads.push_back(k);
     }
-    if (threads.size() > 1 && add_thread(threads)) return std::move(found_);
+    if (threads.size() > 1 && add_thread(threads)) return {std::move(found_), {}};
     for (const std::size_t k : stuck) {
       if (progress_.cancelled()) throw Cancelled();
       const bool turns = undercut_parts_[k].allows(ActionKind::unscrew) && add_thread({k});
       if (!turns && settings_.strip_strain_pct > 0.0 && undercut_parts_[k].allows(ActionKind::strip))
         add_ring(k);
     }
-    return std::move(found_);
+    return {std::move(found_), std::move(rejected_)};
   }
 
  private:
@@ -101,7 +101,20 @@ class RevolvedFinder {
   void add_ring(std::size_t k) {
     const auto ring = find_ring(model_, {undercut_parts_[k].samples, facets_of({k})}, query_);
     if (!ring) return;
-    if (100.0 * ring->strain > settings_.strip_strain_pct) return;
+    if (100.0 * ring->strain > settings_.strip_strain_pct) {
+      constexpr double k_most_told = 0.3;  // no material stretches so far
+      if (ring->strain > k_most_told) return;
+      const glm::dvec3 at(undercut_parts_[k].samples.front().position);
+      rejected_.push_back({.undercut = undercut_parts_[k].undercut,
+                           .kind = ActionKind::strip,
+                           .direction = ring->core_side ? query_.direction : -query_.direction,
+                           .core_side = ring->core_side,
+                           .reason = RejectReason::too_strained,
+                           .place = model_.frame.center + model_.frame.diagonal * at,
+                           .room = std::numeric_limits<double>::infinity(),
+                           .strain = ring->strain});
+      return;
+    }
     Revolution about = axis_of(ring->axis);
     about.strain = ring->strain;
     add(ActionKind::strip, ring->core_side, about, {k});
@@ -115,12 +128,13 @@ class RevolvedFinder {
   const Progress& progress_;
   const std::vector<UndercutPart>& undercut_parts_;
   std::vector<ActionOption> found_;
+  std::vector<RejectedAction> rejected_;
 };
 
 }  // namespace
 
-std::vector<ActionOption> revolved_options(const RevolvedContext& context,
-                                           const std::vector<UndercutPart>& undercut_parts) {
+RevolvedOptions revolved_options(const RevolvedContext& context,
+                                 const std::vector<UndercutPart>& undercut_parts) {
   return RevolvedFinder(context, undercut_parts).find();
 }
 

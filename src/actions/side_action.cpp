@@ -15,14 +15,15 @@ bool has_room(const SideAction& action) {
 }
 
 std::string_view reject_text(RejectReason reason) {
-  constexpr std::array<std::string_view, 8> k_texts = {"no room for its thickness beyond its travel",
+  constexpr std::array<std::string_view, 9> k_texts = {"no room for its thickness beyond its travel",
                                                        "no way out along its half after its travel",
                                                        "no place for its stem down to the ejector plate",
                                                        "its travel is longer than ejectors drive it",
                                                        "its core pin is too thin",
                                                        "its body hits the part",
                                                        "its body hits another one",
-                                                       "the rest of its undercut is not released"};
+                                                       "the rest of its undercut is not released",
+                                                       "the part would stretch too far"};
   return k_texts[static_cast<std::size_t>(reason)];
 }
 

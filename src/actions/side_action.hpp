@@ -33,7 +33,8 @@ struct Revolution {
 /// lifter's own thickness beyond its travel. No way out: that thickness cannot leave along its half after its
 /// travel. No stem: there is no place for what it stands on. Too far: ejectors do not drive it so far. Thin
 /// pin: what would form a hole breaks. Its body hits the part, or another action's. The rest of its undercut
-/// keeps the part in the mold.
+/// keeps the part in the mold. Too strained: to be stripped off, the part would stretch by more than is
+/// permitted.
 enum class RejectReason : std::uint8_t {
   no_room,
   no_way_out,
@@ -42,7 +43,8 @@ enum class RejectReason : std::uint8_t {
   thin_pin,
   hits_part,
   hits_body,
-  leaves_rest
+  leaves_rest,
+  too_strained
 };
 /// "no room for its thickness", …
 [[nodiscard]] std::string_view reject_text(RejectReason reason);
@@ -106,6 +108,7 @@ struct RejectedAction {
   double depth = 0.0;     // of a body that hits
   HitStage when = HitStage::rest;  // likewise
   double width = 0.0;              // of a thin pin
+  double strain = 0.0;             // of a ring
   double left = 0.0;               // area of its undercut that nothing would release beside it
 };
 

@@ -1,6 +1,7 @@
 // Threads and rings made by formula: their pitch, axis and strain.
 #include "actions/revolved.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -186,6 +187,12 @@ TEST(Ring, IsStrippedAtItsStrain) {
     EXPECT_EQ(refused.unreleased.size(), groove.inside ? 1U : 0U);
     for (const SideAction& each : refused.actions)
       EXPECT_NE(each.kind, ActionKind::strip) << "more than the user allows";
+    const auto told =
+        std::ranges::find(refused.rejected, RejectReason::too_strained, &RejectedAction::reason);
+    ASSERT_EQ(told != refused.rejected.end(), groove.inside) << "slides release the other";
+    if (!groove.inside) continue;
+    EXPECT_NEAR(told->strain, strain, 0.001);
+    EXPECT_EQ(told->kind, ActionKind::strip);
   }
 }
 
