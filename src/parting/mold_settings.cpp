@@ -23,15 +23,7 @@ CosmeticFaces parse_half(std::string_view text) {
   const std::string_view half = text.substr(0, colon);
   if (colon == std::string_view::npos || (half != "core" && half != "cavity"))
     throw UsageError(fmt::format("--cosmetic: '{}' is not core:FACES or cavity:FACES", text));
-  CosmeticFaces cosmetic{.core = half == "core", .faces = {}};
-  for (std::string_view rest = text.substr(colon + 1);;) {
-    const std::size_t comma = rest.find(',');
-    const auto face = number_from<std::uint32_t>(rest.substr(0, comma));
-    if (!face) throw UsageError(fmt::format("--cosmetic: '{}' is not a face number", rest.substr(0, comma)));
-    cosmetic.faces.push_back(*face);
-    if (comma == std::string_view::npos) return cosmetic;
-    rest.remove_prefix(comma + 1);
-  }
+  return {.core = half == "core", .faces = parse_faces(text.substr(colon + 1))};
 }
 
 }  // namespace
@@ -94,6 +86,23 @@ std::span<const Option<MoldSettings>> mold_options() {
   return k_options;
 }
 
+std::vector<std::uint32_t> parse_faces(std::string_view text) {
+  for (std::vector<std::uint32_t> faces;;) {
+    const std::size_t comma = text.find(',');
+    const auto face = number_from<std::uint32_t>(text.substr(0, comma));
+    if (!face) throw UsageError(fmt::format("--cosmetic: '{}' is not a face number", text.substr(0, comma)));
+    faces.push_back(*face);
+    if (comma == std::string_view::npos) return faces;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+void check_face(std::uint32_t face, const Faces& faces) {
+  if (face >= faces.count())
+    throw UsageError(
+        fmt::format("--cosmetic: there is no face {}; the part has 0 to {}", face, faces.count() - 1));
+}
+
 std::vector<CosmeticFaces> parse_cosmetic(std::string_view text) {
   std::vector<CosmeticFaces> cosmetic;
   while (!text.empty()) {
@@ -148,9 +157,7 @@ std::vector<FacetWish> assigned_facets(const PartModel& model, const MoldSetting
   const Faces faces = part_faces(model.part, model.geometry, model.adjacency);
   for (const CosmeticFaces& half : parse_cosmetic(settings.cosmetic)) {
     for (const std::uint32_t face : half.faces) {
-      if (face >= faces.count())
-        throw UsageError(
-            fmt::format("--cosmetic: there is no face {}; the part has 0 to {}", face, faces.count() - 1));
+      check_face(face, faces);
       for (const FacetIndex facet : faces.facets(face))
         assigned[facet] = half.core ? FacetWish::core : FacetWish::cavity;
     }

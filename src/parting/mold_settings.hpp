@@ -13,6 +13,8 @@
 
 namespace moldlight {
 
+struct Faces;
+
 /// Lengths are in the part's unit; 0 stands for unset where a default follows from the part.
 struct MoldSettings {
   double soft_deg = 2.0;                 // walls with less draft may go to either half, [0, 10]
@@ -31,6 +33,10 @@ struct MoldSettings {
 };
 
 [[nodiscard]] std::span<const Option<MoldSettings>> mold_options();
+
+/// "1,2", as --cosmetic has them; throws UsageError, as does the next for a face that the part has not.
+[[nodiscard]] std::vector<std::uint32_t> parse_faces(std::string_view text);
+void check_face(std::uint32_t face, const Faces& faces);
 
 /// What `cosmetic` asks for: faces of the half that forms them.
 struct CosmeticFaces {

@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "base/stopwatch.hpp"
 #include "classify/classification.hpp"
 #include "classify/method_options.hpp"
+#include "mesh/faces.hpp"
 #include "mold/surface_samples.hpp"
 #include "pieces/choose_directions.hpp"
+#include "pieces/locked_loops.hpp"
 
 namespace moldlight {
 
@@ -20,6 +24,9 @@ namespace {
 constexpr std::size_t k_proof_samples = 1600;
 /// Where the most that are allowed are not enough, so many are tried to be excluded.
 constexpr std::size_t k_most_excluded_of_many = 3;
+/// Undercuts of a flexible mold that are measured, and the least share of the surface of one.
+constexpr std::size_t k_most_stretched = 100;
+constexpr double k_stretched_share = 1e-4;
 constexpr std::size_t k_air_points = 1 << 15U;
 
 /// Excludes one direction fewer than were found; a surface that is closed asks for two in any case.
@@ -54,6 +61,49 @@ void prove(const PartModel& model, const ChosenDirections& chosen, const Progres
                             static_cast<std::size_t>(spare + std::sqrt(spare * (1.0 - result.settings.eps)))},
                   progress);
   result.lower_bound = std::max<std::size_t>(result.proof.excluded + 1, model.health.closed ? 2 : 1);
+}
+
+/// Measures the undercuts of a flexible mold and gives each to the piece that stretches least.
+void stretch(const PartModel& model, std::span<const glm::dvec3> directions,
+             std::span<const LeftPolygon> left, const Progress& progress, PiecesResult& result,
+             SurfaceWishes& wishes) {
+  const double least = k_stretched_share * model.geometry.total_area;
+  const auto end =
+      std::ranges::find_if(result.places, [&](const LeftPlace& place) { return place.area < least; });
+  const std::span measured(
+      result.places.begin(),
+      std::min<std::size_t>(k_most_stretched, static_cast<std::size_t>(end - result.places.begin())));
+  result.stretches = stretches(model, directions, left, measured, progress);
+  wishes.stretched_by.assign(model.part.mesh.facets.size(), SurfaceWishes::k_none);
+  for (std::size_t k = 0; k < measured.size(); ++k)
+    for (const std::size_t polygon : measured[k].polygons)
+      wishes.stretched_by[left[polygon].facet] = result.stretches[k].direction;
+  std::erase_if(result.stretches, [&](const Stretch& one) {
+    return one.depth.value_or(INFINITY) < k_shallow * model.frame.diagonal;
+  });
+}
+
+/// Throws UsageError for faces and pieces that there are not.
+SurfaceWishes wishes_of(const PartModel& model, const PiecesResult& result) {
+  const std::vector<CosmeticGroup> groups = cosmetic_groups(result.settings.cosmetic);
+  SurfaceWishes wishes;
+  if (groups.empty()) return wishes;
+  wishes.formed_by.assign(model.part.mesh.facets.size(), SurfaceWishes::k_none);
+  wishes.cosmetic = wishes.formed_by;
+  const Faces faces = part_faces(model.part, model.geometry, model.adjacency);
+  for (const auto& [piece, numbers] : groups) {
+    if (piece && *piece >= result.count())
+      throw UsageError(fmt::format("--cosmetic: there is no piece {}; the mold opens along {}", *piece + 1,
+                                   plural(result.count(), "direction")));
+    for (const std::uint32_t face : numbers) {
+      check_face(face, faces);
+      for (const FacetIndex facet : faces.facets(face)) {
+        wishes.cosmetic[facet] = face;
+        if (piece) wishes.formed_by[facet] = *piece;
+      }
+    }
+  }
+  return wishes;
 }
 
 /// What all pieces together leave in the part's box beside the part: points that are blocked along every
@@ -116,7 +166,11 @@ PiecesResult find_pieces(const PartModel& model, const MethodSettings& method, c
   }
   if (!directions.empty()) {
     prove(model, chosen, progress, result);
-    result.formed = form_surface(model, result.query, directions, progress);
+    SurfaceWishes wishes = wishes_of(model, result);
+    if (result.flexible()) stretch(model, directions, chosen.left, progress, result, wishes);
+    result.formed = form_surface(model, result.query, directions, progress, wishes);
+    if (result.flexible())
+      result.cuts = locked_loops(result.formed.mesh, result.formed.formed_by, result.count(), progress);
     for (const FormedPatch& patch : result.formed.patches) {
       result.directions[patch.direction].area += patch.area;
       ++result.directions[patch.direction].components;

@@ -8,14 +8,17 @@
 #include <numeric>
 #include <utility>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "base/check.hpp"
+#include "base/error.hpp"
 #include "mesh/union_find.hpp"
 #include "mold/direction.hpp"
 #include "parting/min_cut.hpp"
 #include "parting/piece_edges.hpp"
+#include "pieces/piece_words.hpp"
 
 namespace moldlight {
 
@@ -26,6 +29,9 @@ constexpr double k_later = 1e-3;
 /// Likewise, at a direction beside an opposite pair: a strip a twentieth of the diagonal wide costs its
 /// length, so that the halves form what they can.
 constexpr double k_beside_pair = 20.0;
+constexpr double k_across_cosmetic = 20.0;  // what a seam costs there
+/// Of what a direction is to form: so much it may not release, by the tolerance along edges.
+constexpr double k_unreleased_share = 0.01;
 constexpr int k_most_expansions = 4;
 /// Of the surface: what is left over in smaller patches goes to any direction.
 constexpr double k_speck_share = 1e-5;
@@ -81,8 +87,9 @@ ReleasedMesh released_mesh(const PartModel& model, const ExactQuery& query,
 class Labelling {
  public:
   Labelling(const PartModel& model, const ExactQuery& query, std::span<const glm::dvec3> directions,
-            ReleasedMesh released)
+            ReleasedMesh released, const SurfaceWishes& wishes)
       : model_(model),
+        wishes_(wishes),
         directions_(directions),
         pair_(opposite_pair(directions)),
         count_(static_cast<std::uint32_t>(directions.size())),
@@ -96,6 +103,7 @@ class Labelling {
     for (PieceIndex piece = 0; piece < mesh_.pieces.size(); ++piece)
       areas_.push_back(0.5 * glm::length(twice_piece_area(mesh_, piece)));
     leave_over();
+    grant();
     for (const std::uint32_t may : may_)
       labels_.push_back(may == 0 ? count_ : static_cast<std::uint32_t>(std::countr_zero(may)));
   }
@@ -109,16 +117,16 @@ class Labelling {
     return model_.geometry.normals[mesh_.pieces[piece].facet];
   }
   void leave_over();
+  void grant();
   [[nodiscard]] bool expand_to(std::uint32_t label, const Progress& progress);
   [[nodiscard]] double cost_at(PieceIndex piece, std::uint32_t label) const;
-  [[nodiscard]] double seam_cost(std::size_t edge) const {
-    return lengths_[edge] * (crease_[edge] != 0 ? k_crease_weight : 1.0);
-  }
+  [[nodiscard]] double seam_cost(std::size_t edge, std::uint32_t a, std::uint32_t b) const;
   /// Pieces that hang together and have one label, by the lowest of them.
   [[nodiscard]] UnionFind patches() const;
   [[nodiscard]] std::vector<PieceSeam> seams() const;
 
   const PartModel& model_;
+  const SurfaceWishes& wishes_;
   std::span<const glm::dvec3> directions_;
   std::optional<std::pair<std::size_t, std::size_t>> pair_;  // of them
   std::uint32_t count_;                                      // of the directions; as a label: left over
@@ -131,7 +139,7 @@ class Labelling {
   std::vector<std::uint32_t> labels_;
 };
 
-/// What nothing releases stays so where it is more than a speck.
+/// What nothing releases stays so where it is more than a speck and no piece stretches over it.
 void Labelling::leave_over() {
   UnionFind joined(may_.size());
   for (const PieceEdge& edge : edges_.edges) {
@@ -145,8 +153,41 @@ void Labelling::leave_over() {
   const double floor =
       std::max(k_speck_share * model_.geometry.total_area, std::numbers::pi * lateral_ * lateral_);
   for (PieceIndex piece = 0; piece < may_.size(); ++piece) {
-    if (may_[piece] == 0 && sums[joined.find(piece)] <= floor) may_[piece] = (1U << count_) - 1U;
+    if (may_[piece] != 0) continue;
+    const std::uint32_t by = SurfaceWishes::of(wishes_.stretched_by, mesh_.pieces[piece].facet);
+    may_[piece] = sums[joined.find(piece)] <= floor ? (1U << count_) - 1U : by < count_ ? 1U << by : 0U;
   }
+}
+
+/// What is given to a direction goes to it alone, as far as it releases it.
+void Labelling::grant() {
+  std::map<std::uint32_t, std::pair<double, double>> sums;  // by direction: not released, and all
+  for (PieceIndex piece = 0; piece < may_.size(); ++piece) {
+    const std::uint32_t by = SurfaceWishes::of(wishes_.formed_by, mesh_.pieces[piece].facet);
+    if (by >= count_) continue;
+    const bool releases = (may_[piece] >> by & 1U) != 0;
+    auto& [missed, all] = sums[by];
+    all += areas_[piece];
+    missed += releases ? 0.0 : areas_[piece];
+    if (releases) may_[piece] = 1U << by;
+  }
+  for (const auto& [by, area] : sums)
+    if (area.first > k_unreleased_share * area.second)
+      throw UsageError(
+          fmt::format("--cosmetic: piece {} moves along {}, which does not release {:.1f} % of its faces",
+                      by + 1, pull_words(directions_[by]), 100.0 * area.first / area.second));
+}
+
+/// At most twice that of another seam there, so that by way of a third label nothing gets cheaper.
+double Labelling::seam_cost(std::size_t edge, std::uint32_t a, std::uint32_t b) const {
+  if (a == b) return 0.0;
+  const PieceEdge& at = edges_.edges[edge];
+  const glm::dvec3 apart = glm::normalize(directions_[a] - directions_[b]);
+  const double climb = std::abs(glm::dot(mesh_.vertices[at.to] - mesh_.vertices[at.from], apart));
+  const std::uint32_t face = SurfaceWishes::of(wishes_.cosmetic, mesh_.pieces[at.left].facet);
+  const bool across = face != SurfaceWishes::k_none &&
+                      face == SurfaceWishes::of(wishes_.cosmetic, mesh_.pieces[at.right].facet);
+  return (lengths_[edge] + climb) * (across ? k_across_cosmetic : crease_[edge] != 0 ? k_crease_weight : 1.0);
 }
 
 double Labelling::cost_at(PieceIndex piece, std::uint32_t label) const {
@@ -176,21 +217,20 @@ bool Labelling::expand_to(std::uint32_t label, const Progress& progress) {
   for (std::size_t k = 0; k < edges_.edges.size(); ++k) {
     const auto& [from, to, left, right, left_side, right_side] = edges_.edges[k];
     if (right == k_no_piece || labels_[left] == count_ || labels_[right] == count_) continue;
-    const double cost = seam_cost(k);
-    const bool left_moves = node[left] != k_still, right_moves = node[right] != k_still;
-    if (left_moves && right_moves) {
-      if (labels_[left] == labels_[right]) {
-        cut.add_link(node[left], node[right], cost);
-        continue;
-      }
-      // They differ as long as either keeps its label.
-      cut.add_link(node[left], node[right], 0.5 * cost);
-      cut.add_cost(node[left], 1, 0.5 * cost);
-      cut.add_cost(node[right], 1, 0.5 * cost);
-    } else if (left_moves || right_moves) {
-      const PieceIndex moving = left_moves ? left : right, still = left_moves ? right : left;
-      if (labels_[still] != label) cut.add_cost(node[moving], 0, cost);
-      if (labels_[still] != labels_[moving]) cut.add_cost(node[moving], 1, cost);
+    const std::uint32_t of_left = labels_[left], of_right = labels_[right];
+    const double left_goes = seam_cost(k, label, of_right), right_goes = seam_cost(k, of_left, label);
+    const double both_stay = seam_cost(k, of_left, of_right);
+    if (node[left] != k_still && node[right] != k_still) {
+      const double link = 0.5 * (left_goes + right_goes - both_stay);
+      cut.add_link(node[left], node[right], std::max(0.0, link));
+      cut.add_cost(node[left], 1, std::max(0.0, right_goes - link));
+      cut.add_cost(node[right], 1, std::max(0.0, left_goes - link));
+    } else if (node[left] != k_still) {
+      cut.add_cost(node[left], 0, left_goes);
+      cut.add_cost(node[left], 1, both_stay);
+    } else if (node[right] != k_still) {
+      cut.add_cost(node[right], 0, right_goes);
+      cut.add_cost(node[right], 1, both_stay);
     }
   }
   const std::vector<std::uint8_t> sides = cut.solve(progress);
@@ -330,9 +370,10 @@ std::optional<std::pair<std::size_t, std::size_t>> opposite_pair(std::span<const
 }
 
 FormedSurface form_surface(const PartModel& model, const ExactQuery& query,
-                           std::span<const glm::dvec3> directions, const Progress& progress) {
+                           std::span<const glm::dvec3> directions, const Progress& progress,
+                           const SurfaceWishes& wishes) {
   CHECK(!directions.empty() && directions.size() < 32);
-  Labelling labelling(model, query, directions, released_mesh(model, query, directions, progress));
+  Labelling labelling(model, query, directions, released_mesh(model, query, directions, progress), wishes);
   labelling.expand(progress);
   labelling.join_narrow();
   return std::move(labelling).surface();

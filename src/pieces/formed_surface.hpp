@@ -41,15 +41,30 @@ struct FormedSurface {
   std::vector<PieceSeam> seams;          // by directions, the longest first
 };
 
+/// What is wished of single facets; of each an entry, or none at all.
+struct SurfaceWishes {
+  static constexpr std::uint32_t k_none = ~0U;
+  std::vector<std::uint32_t> formed_by;     // number of the direction that is to form it
+  std::vector<std::uint32_t> stretched_by;  // likewise, though no direction releases it
+  std::vector<std::uint32_t> cosmetic;      // number of the face, which no seam should cross
+
+  [[nodiscard]] static std::uint32_t of(const std::vector<std::uint32_t>& wishes, FacetIndex facet) {
+    return wishes.empty() ? k_none : wishes[facet];
+  }
+};
+
 /// The first two of the directions that are opposite to each other, the earlier one first.
 [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> opposite_pair(
     std::span<const glm::dvec3> directions);
 
 /// Directions are unit; at most 31 of them. Of the query the direction does not count. Surface that several
-/// release goes where the seams cost least: half their length along creases; walls that lean against a
+/// release goes where the seams cost least: half their length along creases, up to twice as much where they
+/// climb along the difference of both directions, and more across cosmetic faces; walls that lean against a
 /// direction by less than tau cost extra, as does what a direction forms beside an opposite pair, and
-/// slightly the later one of directions. Throws Cancelled.
+/// slightly the later one of directions. Throws UsageError where a direction does not release what it is to
+/// form, Cancelled.
 [[nodiscard]] FormedSurface form_surface(const PartModel& model, const ExactQuery& query,
-                                         std::span<const glm::dvec3> directions, const Progress& progress);
+                                         std::span<const glm::dvec3> directions, const Progress& progress,
+                                         const SurfaceWishes& wishes = {});
 
 }  // namespace moldlight

@@ -161,6 +161,7 @@ std::vector<LeftPlace> left_places(const PartModel& model, std::span<const LeftP
   std::map<std::uint32_t, LeftPlace> places;
   for (const LeftPolygon& polygon : polygons) {
     LeftPlace& place = places[joined.find(polygon.facet)];
+    place.polygons.push_back(static_cast<std::size_t>(&polygon - polygons.data()));
     for (const glm::dvec3& corner : polygon.corners) place.bounds.add(corner);
     place.area += polygon.area;
     place.centre += polygon.area * polygon_centre(polygon.corners);

@@ -30,6 +30,7 @@ struct LeftPlace {
   double area = 0.0;  // model units squared
   glm::dvec3 centre{0.0};
   Bounds bounds;
+  std::vector<std::size_t> polygons;  // numbers of them
 };
 
 /// Finds the exact regions of a line when they are first asked for and keeps them for a while.

@@ -55,6 +55,50 @@ Json settings_json(const PiecesResult& result, double diagonal) {
   return settings;
 }
 
+/// How many undercuts flexible pieces leave, the greatest strain among them, and what must be cut.
+std::string stretch_sentences(const PartModel& model, const PiecesResult& result) {
+  std::size_t enclosed = 0, cuts = 0;
+  double most = 0.0;
+  for (const Stretch& stretch : result.stretches) {
+    enclosed += stretch.depth || stretch.neck ? 0 : 1;
+    if (stretch.neck) most = std::max(most, stretch.neck->strain());
+  }
+  for (const std::size_t of_piece : result.cuts.value_or(std::vector<std::size_t>())) cuts += of_piece;
+  const auto verb = [](std::size_t count, std::string_view one, std::string_view more) {
+    return count == 1 ? one : more;
+  };
+  std::string text = fmt::format(
+      "{} along {} {} {}, {} {}.", plural(result.count(), "flexible piece"), names_of(result),
+      verb(result.count(), "leaves", "leave"),
+      result.stretches.empty() ? "only shallow undercuts" : plural(result.stretches.size(), "undercut"),
+      rounded_area(result.left_area, model.geometry.total_area), powered_unit(model.part, 2));
+  if (most > 0.0)
+    text += fmt::format(" The tightest neck asks for {} strain; the elongation given is {:g} %.",
+                        share_text(most, 1.0), result.settings.elongation_pct);
+  if (enclosed > 0) text += fmt::format(" Nothing leads past the lip of {}.", plural(enclosed, "undercut"));
+  if (cuts > 0)
+    text += fmt::format(" {} of the pieces {} through a tunnel of the part and must be cut.",
+                        plural(cuts, "loop"), verb(cuts, "goes", "go"));
+  return text;
+}
+
+Json flexible_json(const PiecesResult& result) {
+  if (!result.flexible()) return {};
+  Json undercuts = Json::array();
+  for (std::size_t k = 0; k < result.stretches.size(); ++k) {
+    const auto& [place, direction, depth, neck] = result.stretches[k];
+    undercuts.push_back({{"order", direction + 1},
+                         {"area", result.places[place].area},
+                         {"centre", point_json(result.places[place].centre)},
+                         {"depth", depth ? Json(*depth) : Json()},
+                         {"neck", neck ? Json{{"perimeter", neck->perimeter},
+                                              {"widest", neck->widest},
+                                              {"strain_pct", 100.0 * neck->strain()}}
+                                       : Json()}});
+  }
+  return {{"undercuts", undercuts}, {"cuts", result.cuts ? Json(*result.cuts) : Json()}};
+}
+
 /// When a body is removed: the halves first, then direction by direction; 0 for what stays.
 std::size_t sequence_of(const PieceSolids& solids, std::size_t body) {
   if (body < 2) return 1;
@@ -96,7 +140,10 @@ Json solids_json(const PieceSolids& solids) {
 }  // namespace
 
 std::string pieces_state(const PiecesResult& result) {
-  return !result.releases_all ? "left-over" : has_pair(result) ? "two-piece" : "pieces";
+  return result.flexible() && !result.releases_all ? "stretched"
+         : !result.releases_all                    ? "left-over"
+         : has_pair(result)                        ? "two-piece"
+                                                   : "pieces";
 }
 
 std::string pieces_sentence(const PartModel& model, const PiecesResult& result) {
@@ -105,6 +152,7 @@ std::string pieces_sentence(const PartModel& model, const PiecesResult& result) 
                   powered_unit(model.part, 2), share_text(result.left_area, model.geometry.total_area));
   const std::size_t count = result.count();
   if (count == 0) return "No direction that was tried releases any of the surface.";
+  if (result.flexible() && !result.releases_all) return stretch_sentences(model, result);
   if (!result.enough)
     return fmt::format("{} directions are not enough: {} of the surface is left over.", count, left);
   std::string text;
@@ -185,6 +233,7 @@ Json pieces_json(const PartModel& model, const PiecesResult& result, const Piece
           {"optimal", result.optimal},
           {"proof", {{"samples", result.proof_samples}, {"cells", result.proof.cells}, {"open", open}}},
           {"left", {{"area", result.left_area}, {"places", places}}},
+          {"flexible", flexible_json(result)},
           {"seams", seams},
           {"pieces", pieces},
           {"solids", solids == nullptr ? Json() : solids_json(*solids)},

@@ -12,7 +12,8 @@
 
 namespace moldlight {
 
-/// "two-piece" (an opposite pair), "pieces" (any other number that releases all), "left-over".
+/// "two-piece" (an opposite pair), "pieces" (any other number that releases all), "left-over", or, of a
+/// flexible mold, "stretched".
 [[nodiscard]] std::string pieces_state(const PiecesResult& result);
 /// One sentence or two, with full stops: how many pieces, and whether fewer are possible.
 [[nodiscard]] std::string pieces_sentence(const PartModel& model, const PiecesResult& result);

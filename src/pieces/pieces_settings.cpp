@@ -1,8 +1,11 @@
 #include "pieces/pieces_settings.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 
 namespace moldlight {
 
@@ -17,6 +20,20 @@ std::span<const Option<PiecesSettings>> pieces_options() {
        "A direction that the mold opens along in any case, X,Y,Z or an axis such as -y. May be given several "
        "times.",
        DirectionsKind<S>{&S::fixed}},
+      {"elongation_pct", "--elongation", "Elongation", "%",
+       "Elongation of a flexible mold's material. Undercuts that are left are then measured against it. 0 "
+       "stands for a rigid mold.",
+       RealKind<S>{&S::elongation_pct, 0.0, 2000.0, 50.0}},
+      {"cosmetic", "--cosmetic", "Cosmetic faces", "",
+       "Faces that no seam should cross, by the numbers that classify --faces writes. After the number of a "
+       "piece and a colon, those that it must form. Separate groups by a slash: 3,17/2:4.",
+       TextKind<S>{.name = "[PIECE:]FACES",
+                   .get = [](const S& s) { return s.cosmetic; },
+                   .set =
+                       [](S& s, std::string_view text) {
+                         static_cast<void>(cosmetic_groups(text));
+                         s.cosmetic = text;
+                       }}},
   };
   return k_options;
 }
@@ -36,6 +53,25 @@ std::span<const Option<MoldSettings>> pieces_solid_options() {
     return options;
   }();
   return k_options;
+}
+
+std::vector<CosmeticGroup> cosmetic_groups(std::string_view text) {
+  std::vector<CosmeticGroup> groups;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('/'), text.size());
+    const std::string_view group = text.substr(0, end);
+    const std::size_t colon = group.find(':');
+    groups.push_back({.piece = {}, .faces = parse_faces(group.substr(colon + 1))});  // npos + 1 is 0
+    if (colon != std::string_view::npos) {
+      const auto piece = number_from<std::uint32_t>(group.substr(0, colon));
+      if (!piece || *piece == 0)
+        throw UsageError(
+            fmt::format("--cosmetic: '{}' is not the number of a piece", group.substr(0, colon)));
+      groups.back().piece = *piece - 1;
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return groups;
 }
 
 void validate(const PiecesSettings& settings) {

@@ -80,6 +80,7 @@ void add_pieces(py::module_& module, PartClass& part) {
               {"optimal", "None of the directions that were tried do with fewer."},
               {"verdict", "The Verdict."},
               {"left", "Surface that no piece releases: a dict with area and places."},
+              {"flexible", "Of a flexible mold a dict with undercuts and cuts; None of a rigid one."},
               {"warnings", "Why figures are in doubt, a sentence each.", "/part/warnings"}});
   found
       .def("seam_lines", &seam_lines,

@@ -129,6 +129,19 @@ TEST(PiecesCommand, TakesDirectionsOfTheUser) {
   EXPECT_EQ(more.exit_code, 0) << more.err;
 }
 
+TEST(PiecesCommand, MeasuresAFlexibleMold) {
+  const SmallPart part;
+  const auto run = run_moldlight({"pieces", part.file(), "--fixed", "x", "--fixed", "-x", "--max", "2",
+                                  "--elongation", "400", "--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = json_of(run.out);
+  EXPECT_EQ(json["settings"]["elongation_pct"], 400.0);
+  EXPECT_EQ(json["flexible"]["undercuts"].empty(), json["verdict"]["state"] != "stretched");
+  for (const auto& undercut : json["flexible"]["undercuts"])
+    EXPECT_TRUE(undercut["order"] == 1 || undercut["order"] == 2);
+  EXPECT_TRUE(json_of(run_moldlight({"pieces", part.file(), "--json", "-"}).out)["flexible"].is_null());
+}
+
 TEST(PiecesCommand, RefusesWhatMakesNoSenseInOneLine) {
   const SmallPart part;
   const std::vector<std::pair<std::vector<std::string>, int>> refused = {
@@ -136,6 +149,10 @@ TEST(PiecesCommand, RefusesWhatMakesNoSenseInOneLine) {
       {{"pieces", part.file(), "--eps", "2"}, 2},
       {{"pieces", part.file(), "--max", "0"}, 2},
       {{"pieces", part.file(), "--fixed", "0,0,0"}, 2},
+      {{"pieces", part.file(), "--elongation", "-1"}, 2},
+      {{"pieces", part.file(), "--cosmetic", "0:1"}, 2},
+      {{"pieces", part.file(), "--cosmetic", "9:0"}, 2},
+      {{"pieces", part.file(), "--cosmetic", "99999"}, 2},
       {{"pieces", part.file(), "--max", "1", "--fixed", "x", "--fixed", "y"}, 2},
       {{"pieces", part.file(), "--directions", part.output("none.csv")}, 1},
       {{"pieces", part.file(), "--lines", part.output("seams.png")}, 2},

@@ -75,6 +75,48 @@ Section left_section(const ReportContext& context, const PiecesResult& result) {
   return section;
 }
 
+Section stretch_section(const ReportContext& context, const PiecesResult& result) {
+  const FigureStyle style(*context.model);
+  Section section{"Undercuts of the flexible pieces", {}};
+  Table table{{{"undercut"},
+               {"piece"},
+               {style.heading("area", FigureKind::area)},
+               {style.heading("centre", FigureKind::length), true},
+               {style.heading("depth", FigureKind::length)},
+               {style.heading("neck", FigureKind::length)},
+               {style.heading("widest", FigureKind::length)},
+               {"strain"},
+               {"of the elongation"}},
+              {}};
+  for (std::size_t k = 0; k < std::min(result.stretches.size(), k_most_left_rows); ++k) {
+    const auto& [place, direction, depth, neck] = result.stretches[k];
+    const std::string key = fmt::format("/flexible/undercuts/{}/", k);
+    const auto length = [&](const std::string& where, double value) {
+      return number(style, FigureKind::length, key + where, value);
+    };
+    table.rows.push_back({{{fmt::format("{}", k + 1)},
+                           {fmt::format("{}", direction + 1)},
+                           number(style, FigureKind::area, key + "area", result.places[k].area),
+                           {with_minus(style.point(result.places[k].centre))},
+                           depth ? length("depth", *depth) : Value{},
+                           neck ? length("neck/perimeter", neck->perimeter) : Value{},
+                           neck ? length("neck/widest", neck->widest) : Value{},
+                           {neck ? share_text(neck->strain(), 1.0) : ""},
+                           {neck ? share_text(100.0 * neck->strain(), result.settings.elongation_pct) : ""}},
+                          Mark{.colour = piece_colour(direction, context.palette)}});
+  }
+  if (!table.rows.empty()) section.add(std::move(table));
+  for (std::size_t k = 0; result.cuts && k < result.cuts->size(); ++k)
+    if ((*result.cuts)[k] > 0)
+      section.add(fmt::format("Piece {} holds {} through a tunnel of the part, to be cut.", k + 1,
+                              plural((*result.cuts)[k], "loop")),
+                  TextLook::notice);
+  if (!result.cuts)
+    section.add("Loops through tunnels were not counted: the part is open or has too many.",
+                TextLook::notice);
+  return section;
+}
+
 Section seams_section(const ReportContext& context, const PiecesResult& result) {
   const FigureStyle style(*context.model);
   struct Sum {
@@ -203,7 +245,10 @@ Report pieces_report(const ReportContext& context, Study& study) {
                    result.directions.empty() ? glm::dvec3(0, 0, 1) : result.directions.front().direction);
   report.subject = "along " + plural(result.count(), "direction");
   report.sentence = with_minus(pieces_sentence(model, result));
-  report.tone = !result.releases_all ? Tone::bad : result.count() == 2 ? Tone::good : Tone::attention;
+  report.tone = pieces_state(result) == "stretched" ? Tone::attention
+                : !result.releases_all              ? Tone::bad
+                : result.count() == 2               ? Tone::good
+                                                    : Tone::attention;
   const auto patches =
       static_cast<std::size_t>(std::ranges::count_if(result.formed.patches, [&](const FormedPatch& patch) {
         return patch.area > k_seen_share * model.geometry.total_area;
@@ -229,7 +274,9 @@ Report pieces_report(const ReportContext& context, Study& study) {
   }
   if (result.count() > 0) report.sections.push_back(directions_section(context, result));
   if (solids) report.sections.push_back(solids_section(context, result, *solids));
-  if (result.left_area > k_seen_share * model.geometry.total_area)
+  if (pieces_state(result) == "stretched")
+    report.sections.push_back(stretch_section(context, result));
+  else if (result.left_area > k_seen_share * model.geometry.total_area)
     report.sections.push_back(left_section(context, result));
   if (!result.formed.seams.empty()) report.sections.push_back(seams_section(context, result));
   report.sections.push_back(part_section(context, model.warnings));
