@@ -81,16 +81,26 @@ class HtmlSink : public MergeSink {
 
   void add(const PartResult& result) override {
     const std::string name = hex_of(result.key), beside = name.substr(0, 2) + "/" + name;
-    file_.write(
-        separator_ +
-        page::script_json(
-            {result.row, shown_text(result.path), state_name(result.state), shown_text(result.reason),
-             shown_text(result.unit), or_null(result.facets), or_null(result.figure(Figure::area)),
-             or_null(result.figure(Figure::undercut_area)), or_null(result.undercut_share()),
-             or_null(result.figure(Figure::undercuts)), or_null(result.figure(Figure::side_actions)),
-             or_null(result.figure(Figure::unreleased_area)), or_null(result.elapsed_s),
-             shown_text(result.settings), result.picture ? beside + ".png" : std::string(),
-             result.report ? beside + ".html" : std::string(), result.verdict, shown_text(result.sentence)}));
+    file_.write(separator_ + page::script_json({result.row,
+                                                shown_text(result.path),
+                                                state_name(result.state),
+                                                shown_text(result.reason),
+                                                shown_text(result.unit),
+                                                or_null(result.facets),
+                                                or_null(result.figure(Figure::area)),
+                                                or_null(result.figure(Figure::undercut_area)),
+                                                or_null(result.undercut_share()),
+                                                or_null(result.figure(Figure::undercuts)),
+                                                or_null(result.figure(Figure::side_actions)),
+                                                or_null(result.figure(Figure::unreleased_area)),
+                                                or_null(result.elapsed_s),
+                                                shown_text(result.settings),
+                                                result.picture ? beside + ".png" : std::string(),
+                                                result.report ? beside + ".html" : std::string(),
+                                                result.verdict,
+                                                shown_text(result.sentence),
+                                                or_null(result.figure(Figure::pieces)),
+                                                or_null(result.figure(Figure::piece_bound))}));
     separator_ = ",\n";
   }
 
@@ -126,7 +136,8 @@ const std::vector<ResultColumn>& result_columns() {
                          [axis](const R& r) { return r.direction ? Json((*r.direction)[axis]) : Json(); }});
     for (std::size_t k = 0; k < k_figure_count; ++k) {
       const auto figure = static_cast<Figure>(k);
-      const bool whole = figure == Figure::undercuts || figure == Figure::side_actions;
+      const bool whole = figure == Figure::undercuts || figure == Figure::side_actions ||
+                         figure == Figure::pieces || figure == Figure::piece_bound;
       columns.push_back({std::string(figure_name(figure)), whole ? "INTEGER" : "REAL",
                          [figure](const R& r) { return or_null(r.figure(figure)); }});
     }

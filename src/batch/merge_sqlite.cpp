@@ -50,7 +50,8 @@ CREATE VIEW changed AS
   WHERE EXISTS (SELECT 1 FROM previous)
     AND (was.path IS NULL OR now.state <> was.state OR now.content IS NOT was.content
          OR now.undercut_area IS NOT was.undercut_area OR now.undercuts IS NOT was.undercuts
-         OR now.side_actions IS NOT was.side_actions OR now.unreleased_area IS NOT was.unreleased_area)
+         OR now.side_actions IS NOT was.side_actions OR now.unreleased_area IS NOT was.unreleased_area
+         OR now.pieces IS NOT was.pieces OR now.piece_bound IS NOT was.piece_bound)
   UNION ALL
   SELECT was.path, was.settings, 'gone', was.undercut_area, NULL, was.undercuts, NULL, was.side_actions, NULL, NULL
   FROM previous AS was LEFT JOIN parts AS now ON was.path = now.path AND was.settings = now.settings

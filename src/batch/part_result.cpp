@@ -27,9 +27,12 @@ constexpr std::array<FigurePlaces, k_figure_count> k_figures = {
      {"projected_area", {"/projected_area", "/candidates/0/projected_area"}},
      {"undercuts", {"/candidates/0/patches", "/verdict/undercuts"}},
      {"side_actions", {"/actions"}},
-     {"unreleased_area", {"/unreleased/area"}}}};
+     {"unreleased_area", {"/unreleased/area", "/left/area"}},
+     {"pieces", {"/count"}},
+     {"piece_bound", {"/lower_bound"}}}};
 /// And the direction that a picture is drawn along.
-constexpr std::array<std::string_view, 2> k_directions = {"/direction", "/candidates/0/direction"};
+constexpr std::array<std::string_view, 3> k_directions = {"/direction", "/candidates/0/direction",
+                                                          "/directions/0/direction"};
 
 constexpr std::array<std::string_view, 2> k_without_effect = {"jobs", "time_limit_s"};
 

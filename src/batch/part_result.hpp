@@ -28,9 +28,11 @@ enum class Figure : std::uint8_t {
   projected_area,
   undercuts,     // how many
   side_actions,  // how many
-  unreleased_area
+  unreleased_area,
+  pieces,      // directions that a mold of several pieces opens along
+  piece_bound  // fewer are impossible
 };
-inline constexpr std::size_t k_figure_count = 6;
+inline constexpr std::size_t k_figure_count = 8;
 [[nodiscard]] std::string_view figure_name(Figure figure);
 
 /// Settings of reports that change nothing in them but how long they take: no part of a result's key.

@@ -34,7 +34,9 @@ constexpr std::array<BatchFigure, batch::k_figure_count> k_figures = {
      {"projected-area", Figure::projected_area, true},
      {"undercuts", Figure::undercuts, false},
      {"actions", Figure::side_actions, false},
-     {"unreleased", Figure::unreleased_area, true}}};
+     {"unreleased", Figure::unreleased_area, true},
+     {"pieces", Figure::pieces, false},
+     {"least-pieces", Figure::piece_bound, false}}};
 constexpr std::string_view k_new = "new-parts", k_gone = "gone-parts", k_changed = "changed-parts",
                            k_failed = "failed-parts";
 
@@ -53,9 +55,10 @@ struct BatchBaseline::Columns {
   std::array<std::size_t, batch::k_figure_count> figures{};
 
   Columns(const std::vector<std::string>& names, const std::string& file) : count(names.size()) {
-    const auto place = [&](std::string_view name) {
+    const auto place = [&](std::string_view name, bool needed = true) {
       const auto found = std::ranges::find(names, name);
-      if (found == names.end()) throw FileError(file, "", "is not a table of moldlight batch merge --csv");
+      if (found == names.end() && needed)
+        throw FileError(file, "", "is not a table of moldlight batch merge --csv");
       return static_cast<std::size_t>(found - names.begin());
     };
     path = place("path");
@@ -63,7 +66,9 @@ struct BatchBaseline::Columns {
     state = place("state");
     unit = place("unit");
     verdict = place("verdict");
-    for (std::size_t k = 0; k < figures.size(); ++k) figures[k] = place(figure_name(static_cast<Figure>(k)));
+    // Tables of former versions have no pieces.
+    for (std::size_t k = 0; k < figures.size(); ++k)
+      figures[k] = place(figure_name(static_cast<Figure>(k)), k < static_cast<std::size_t>(Figure::pieces));
   }
 };
 
@@ -101,8 +106,9 @@ BatchBaseline::Row BatchBaseline::row_of(const Columns& columns, const std::vect
           fields[columns.verdict],
           {}};
   for (std::size_t k = 0; k < row.figures.size(); ++k) {
-    const std::string& text = fields[columns.figures[k]];
-    if (text.empty()) continue;
+    const std::size_t place = columns.figures[k];
+    if (place == fields.size() || fields[place].empty()) continue;
+    const std::string& text = fields[place];
     row.figures[k] = number_from<double>(text);
     if (!row.figures[k] || !std::isfinite(*row.figures[k])) refuse("has a figure that is not a number");
   }

@@ -11,7 +11,7 @@
 
 namespace moldlight::cli {
 
-/// "classify, sweep, actions or mold": the commands that can be the work.
+/// "classify, sweep, actions, mold or pieces": the commands that can be the work.
 [[nodiscard]] std::string work_names();
 /// Throws UsageError for any other.
 [[nodiscard]] const CommandRow& work_row(std::string_view command);

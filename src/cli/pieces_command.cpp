@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "classify/headless.hpp"
+#include "classify/option_json.hpp"
 #include "cli/flags.hpp"
 #include "cli/report_flags.hpp"
 #include "io/csv_tables.hpp"
@@ -89,6 +90,14 @@ int run(const PiecesFlags& flags, Console& console, const Progress& progress) {
   return k_criterion_failed;
 }
 
+Json settings(const PiecesFlags& flags) {
+  Json json = options_json(pieces_options(), flags.settings);
+  json.update(options_json(pieces_method_options(), flags.method));
+  json.update(options_json(pieces_solid_options(), flags.mold));
+  json.update(options_json(reading_options(), flags.part.reading));
+  return json;
+}
+
 void add_pieces_command(CLI::App& program, Request& request) {
   CLI::App* command = program.add_subcommand(
       "pieces", "Find the fewest directions of a mold of several pieces, and which piece forms what");
@@ -122,10 +131,10 @@ void add_pieces_command(CLI::App& program, Request& request) {
       ->option_text("FILE.(" + extensions_text(line_formats()) + ")")
       ->check(named_as(extensions_text(line_formats())))
       ->allow_extra_args(false);
-  set_work(*command, request, flags, run);
+  set_work(*command, request, flags, run, settings);
 }
 
-const RegisteredCommand k_pieces_command({45, "pieces", add_pieces_command});
+const RegisteredCommand k_pieces_command({45, "pieces", add_pieces_command, 5});
 
 }  // namespace
 

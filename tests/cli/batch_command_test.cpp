@@ -41,7 +41,8 @@ TEST(Batch, SweepsActionsAndMoldsAreWorkToo) {
   ASSERT_EQ(parts.plan("parts", "sweeps", {"sweep", "--directions", "20", "--top", "1"}).exit_code, 0);
   ASSERT_EQ(parts.plan("parts", "actions", {"actions", "--direction", "z", "--incline", "20"}).exit_code, 0);
   ASSERT_EQ(parts.plan("parts", "molds", {"mold", "--direction", "z", "--shrink", "0.5"}).exit_code, 0);
-  for (const char* name : {"sweeps", "actions", "molds"}) {
+  ASSERT_EQ(parts.plan("parts", "pieces", {"pieces", "--max", "3"}).exit_code, 0);
+  for (const char* name : {"sweeps", "actions", "molds", "pieces"}) {
     const auto run = parts.batch("run", {}, name);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(parts.status(name)["done"], 2) << name;
@@ -49,6 +50,12 @@ TEST(Batch, SweepsActionsAndMoldsAreWorkToo) {
     EXPECT_EQ(parts.batch("merge", {"--csv", table}, name).exit_code, 0);
     EXPECT_NE(file_bytes(table).find("part-0001.off"), std::string::npos);
   }
+  const std::string pieces = file_bytes(parts.path("all.csv"));
+  EXPECT_NE(pieces.find("unreleased_area,pieces,piece_bound,"), std::string::npos) << pieces;
+  EXPECT_NE(pieces.find("two-piece"), std::string::npos) << pieces;
+  EXPECT_NE(pieces.find(",2,2,"), std::string::npos) << pieces;
+  EXPECT_EQ(parts.batch("merge", {"--fail-on", "pieces > 2"}, "pieces").exit_code, 0);
+  EXPECT_EQ(parts.batch("merge", {"--fail-on", "pieces > 1"}, "pieces").exit_code, 3);
   const auto settings = json_of(file_bytes(parts.path("actions/batch.json")))["settings"][0];
   EXPECT_EQ(settings["effective"]["incline_deg"], 20.0);
   const auto sweep = json_of(file_bytes(parts.path("sweeps/batch.json")))["settings"][0]["effective"];
@@ -258,8 +265,8 @@ TEST(Batch, WhatMakesNoSenseIsToldInOneLine) {
       {{"batch", "plan", source, "--out", source, "--", "classify", "--direction", "z"},
        2,
        {"not an empty folder"}},
-      {planned(source, {"melt"}), 2, {"melt", "classify, sweep, actions or mold"}},
-      {planned(source, {"view"}), 2, {"view", "classify, sweep, actions or mold"}},
+      {planned(source, {"melt"}), 2, {"melt", "classify, sweep, actions, mold or pieces"}},
+      {planned(source, {"view"}), 2, {"view", "classify, sweep, actions, mold or pieces"}},
       {planned(source, {"classify"}), 2, {"--direction"}},
       {planned(source, {"classify", "--direction", "0,0,0"}), 2, {"--direction"}},
       {planned(source, {"classify", "--direction", "z", "--colour", "red"}), 2, {"--colour"}},

@@ -29,14 +29,15 @@ std::optional<double> figure_of(const PartResult& row) {
   return row.figure(k_figure);
 }
 /// By BatchColumn.
-constexpr std::array<ColumnFacts, 7> k_batch_columns = {
+constexpr std::array<ColumnFacts, 8> k_batch_columns = {
     {{"part"},
      {"state"},
      {"undercut", figure_of<Figure::undercut_area>},
      {"share", [](const PartResult& row) { return row.undercut_share(); }},
      {"undercuts", figure_of<Figure::undercuts>},
      {"side actions", figure_of<Figure::side_actions>},
-     {"not released", figure_of<Figure::unreleased_area>}}};
+     {"not released", figure_of<Figure::unreleased_area>},
+     {"pieces", figure_of<Figure::pieces>}}};
 
 std::optional<double> value_of(const PartResult& row, BatchColumn column) {
   const auto value = k_batch_columns[static_cast<std::size_t>(column)].value;
@@ -79,7 +80,7 @@ std::string batch_cell(const PartResult& row, BatchColumn column) {
 
 std::vector<BatchColumn> used_columns(const BatchTable& table) {
   std::vector<BatchColumn> used;
-  for (int k = 0; k <= static_cast<int>(BatchColumn::unreleased); ++k) {
+  for (int k = 0; k <= static_cast<int>(BatchColumn::pieces); ++k) {
     const auto column = static_cast<BatchColumn>(k);
     const auto has = [&](const PartResult& row) { return value_of(row, column).has_value(); };
     if (is_text(column) || std::ranges::any_of(table.rows, has)) used.push_back(column);

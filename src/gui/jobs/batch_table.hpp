@@ -22,7 +22,16 @@ struct BatchTable {
 [[nodiscard]] BatchTable load_batch_table(const std::string& path, const Progress& progress);
 
 /// What the table is sorted by.
-enum class BatchColumn : std::uint8_t { part, state, undercut, share, undercuts, side_actions, unreleased };
+enum class BatchColumn : std::uint8_t {
+  part,
+  state,
+  undercut,
+  share,
+  undercuts,
+  side_actions,
+  unreleased,
+  pieces
+};
 /// Else of figures.
 [[nodiscard]] inline bool is_text(BatchColumn column) {
   return column == BatchColumn::part || column == BatchColumn::state;

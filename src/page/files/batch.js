@@ -2,7 +2,8 @@
 const {about, results, rows} = pageData("batch");
 // Heading, field, and of what kind it is.
 const columns = [["#", 0], ["part", 1, "path"], ["state", 2, "word"], ["undercut", 7, "area"], ["share", 8, "share"],
-  ["undercuts", 9], ["side actions", 10], ["not released", 11, "area"], ["verdict", 16, "word"],
+  ["undercuts", 9], ["side actions", 10], ["not released", 11, "area"], ["pieces", 18],
+  ["at least", 19], ["verdict", 16, "word"],
   ["that is", 17, "said"], ["area", 6, "area"], ["facets", 5], ["time s", 12, "time"], ["settings", 13, "said"],
   ["reason", 3, "said"]];
 const isText = (kind) => ["path", "word", "said"].includes(kind);
