@@ -94,9 +94,9 @@ class App {
   [[nodiscard]] bool preparing() const { return !state_.model && !thumbnails_.finished(); }
   /// True while figures, the split mesh, side actions, the mold, or a comparison are not there that will be.
   [[nodiscard]] bool measuring() const {
-    return state_.model &&
-           (state_.figures.measuring || state_.actions.awaited || state_.actions.changes_awaited ||
-            state_.mold.line_awaited || state_.mold.solids_awaited || state_.revisions.awaited);
+    return state_.model && (state_.figures.measuring || state_.actions.awaited ||
+                            state_.actions.changes_awaited || state_.mold.line_awaited ||
+                            state_.mold.solids_awaited || state_.mold.running || state_.revisions.awaited);
   }
   /// True while a sweep runs, or is about to.
   [[nodiscard]] bool sweeping() const { return state_.sweep.running || quick_sweep_due_; }

@@ -1,6 +1,7 @@
 // Everything the window shows, as plain values. Panels read it; only the app writes it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -79,6 +80,9 @@ struct ActionsState {
 struct MoldChoices {
   std::optional<std::size_t> loop;  // of the line, that is looked at
   bool moves_faces = false;         // a click moves a face to the other half
+  /// Of the molds of several pieces that were found, which is looked at, at most the last; none: of two
+  /// halves.
+  std::optional<std::size_t> pieces;
 };
 
 // Of draft.
@@ -107,6 +111,12 @@ struct MoldSolids {
   std::vector<ViewSolid> shown;  // core, cavity, each insert; none where there are no halves
 };
 
+/// A mold of several pieces, and what each forms of the part as it is drawn.
+struct MoldOfPieces {
+  std::shared_ptr<const PiecesResult> result;
+  std::shared_ptr<const std::vector<ViewBody>> sheets;
+};
+
 /// A line outlives changes of the mold's settings until another one is there, but not those of the direction;
 /// so do halves.
 struct MoldState {
@@ -114,6 +124,7 @@ struct MoldState {
   std::shared_ptr<const MoldSolids> solids;
   // What forms each insert of the solids, for the plan of side actions; none where it is not known.
   std::shared_ptr<const std::vector<InsertActions>> by_action;
+  std::vector<MoldOfPieces> pieces;                   // of two directions on, until they are enough
   bool line_awaited = false, solids_awaited = false;  // there will be others
   std::optional<JobStatus> running;                   // the search for one of them
   std::string error;                                  // why there is none
@@ -245,9 +256,16 @@ struct AppState : Editable {
 [[nodiscard]] inline bool is_at(const AppState& state, Step step) {
   return state.model && state.step == step && !state.revisions.on();
 }
+/// The mold of several pieces that is looked at; null for none.
+[[nodiscard]] inline const MoldOfPieces* shown_pieces(const AppState& state) {
+  const auto& chosen = state.mold_choices.pieces;
+  const std::vector<MoldOfPieces>& found = state.mold.pieces;
+  return chosen && !found.empty() && is_at(state, Step::mold) ? &found[std::min(*chosen, found.size() - 1)]
+                                                              : nullptr;
+}
 /// Whether the parting line is looked at, with the handle of its height.
 [[nodiscard]] inline bool looks_at_line(const AppState& state) {
-  return is_at(state, Step::parting_line) || is_at(state, Step::mold);
+  return is_at(state, Step::parting_line) || (is_at(state, Step::mold) && shown_pieces(state) == nullptr);
 }
 
 }  // namespace moldlight::gui

@@ -72,8 +72,11 @@ void App::find_mold(bool moving) {
   const auto former = mold.line;
   const auto solids = mold.solids;
   const auto by_action = mold.by_action;
+  const std::size_t pieces = mold.pieces.size();
   study_.find_mold(state_, mold, {.moving = moving, .solids = steel_wanted() || is_at(state_, Step::mold)});
-  if (mold.line == former && mold.solids == solids && mold.by_action == by_action) return;
+  if (mold.line == former && mold.solids == solids && mold.by_action == by_action &&
+      mold.pieces.size() == pieces)
+    return;
   settle_frames_ = k_settle_frames;
   auto& loop = state_.mold_choices.loop;
   if (mold.line != former && loop)
@@ -82,7 +85,8 @@ void App::find_mold(bool moving) {
 
 bool App::steel_wanted() const {
   const LookSettings& look = state_.settings.look;
-  if (!state_.model || state_.window.halves == HalvesLook::surface || split_view()) return false;
+  if (!state_.model || state_.window.halves == HalvesLook::surface || split_view() || shown_pieces(state_))
+    return false;
   return look.open_mold > 0.0 || opening_.at(now_s_) > 0.0 ||
          (is_at(state_, Step::mold) && look.section != Section::off);
 }
@@ -140,6 +144,7 @@ SceneSettings App::scene_settings() const {
   shown.theme = state_.window.theme;
   shown.required_draft_deg = state_.settings.required_draft.deg;
   shown.open_mold = opened().halves;
+  if (shown_pieces(state_) != nullptr) shown.colour_mode = ColourMode::plain;
   const auto& solids = state_.mold.solids;
   if (steel_wanted() && solids && !solids->shown.empty()) {
     shown.steel = {.shown = true,
@@ -179,9 +184,7 @@ bool App::draw(const ViewTarget& target) {
                          : pictures_->draw_beside(*split, scene_settings());
   }
   if (scene_) {
-    const auto& moved = state_.actions.bodies;
-    scene_->take_bodies(revision_ ? lit_.of(state_, false, state_.cut)
-                                  : Scene::Bodies(moved, moved ? &moved->bodies : nullptr));
+    scene_->take_bodies(revision_ ? lit_.of(state_, false, state_.cut) : shown_bodies(state_));
     scene_->take_mold({.line = line_shown() ? state_.mold.line : nullptr,
                        .loop = state_.mold_choices.loop,
                        .solids = state_.mold.solids,
@@ -211,13 +214,14 @@ void App::show_comparison() {
 }
 
 OpenedMold App::opened() const {
-  if (!state_.model) return {};
+  if (!state_.model || shown_pieces(state_)) return {};
   return opened_mold(state_.actions.plan.get(), opening_.at(now_s_));
 }
 
 void App::fit(const Camera& camera, bool at_once) {
   fitted_area_ = fit_area();
-  const OpenedMold opened = opened_mold(state_.actions.plan.get(), wanted_opening());
+  const OpenedMold opened =
+      shown_pieces(state_) ? OpenedMold() : opened_mold(state_.actions.plan.get(), wanted_opening());
   std::vector<glm::vec3> outermost = state_.extremes;
   if (revision_) {
     const FrameTie tie = tie_of(state_, *revision_->of());

@@ -11,8 +11,10 @@
 #include "gui/panels/panels.hpp"
 #include "gui/view/mold_view.hpp"
 #include "gui/window_with_part.hpp"
+#include "io/mesh_writer.hpp"
 #include "parting/make_halves.hpp"
 #include "parting/mold_report.hpp"
+#include "support/solid_builder.hpp"
 
 namespace moldlight::gui::test {
 namespace {
@@ -61,6 +63,49 @@ class Mold : public WindowWithPart {
     return assign_sides(*state().model, state().settings, asked(), Progress{});
   }
 };
+
+TEST_F(Mold, ShowsMoldsOfSeveralPiecesAndRemovesThem) {
+  // A cube with blind holes in three sides.
+  moldlight::test::SolidBuilder builder;
+  builder.box(glm::dvec3(-15.0), glm::dvec3(15.0), {1, 3, 5});
+  for (const int side : {1, 3, 5}) {
+    glm::dvec3 low(-3.0), high(3.0);
+    low[side / 2] = 6.0;
+    high[side / 2] = 15.0;
+    builder.face(moldlight::test::box_face(glm::dvec3(-15.0), glm::dvec3(15.0), side),
+                 {moldlight::test::box_face(low, high, side)});
+    builder.box(low, high, {side}, true);
+  }
+  const TriangleMesh mesh = builder.mesh();
+  const std::vector<Region> regions(mesh.facets.size(), Region::both);
+  const std::string path = part.folder().file("cube.stl");
+  write_coloured_mesh(path, {.mesh = mesh, .regions = regions});
+  window.app().open(path);
+  window.wait_until_loaded();
+  unfold();
+  click("Several pieces");
+  window.settle();
+  window.wait_until_measured();
+  window.settle();
+  ASSERT_EQ(mold().pieces.size(), 2U);
+  const MoldOfPieces* shown = shown_pieces(state());
+  ASSERT_TRUE(shown != nullptr);
+  EXPECT_EQ(shown->result->count(), 3U) << "as many as are enough";
+  EXPECT_TRUE(shown->result->enough);
+  EXPECT_EQ(shown->sheets->size(), 3U);
+  EXPECT_GT(mold().pieces[0].result->left_area, 100.0);
+  const auto closed = window.pixels();
+  click("2 pieces");
+  window.settle();
+  EXPECT_EQ(shown_pieces(state())->result->count(), 2U);
+  click("3 pieces");
+  key({.key = 'O'});
+  window.settle();
+  EXPECT_FALSE(closed == window.pixels()) << "pieces are removed";
+  click("Several pieces");
+  window.settle();
+  EXPECT_TRUE(shown_pieces(state()) == nullptr);
+}
 
 std::string bytes_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

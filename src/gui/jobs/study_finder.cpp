@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "actions/actions_files.hpp"
+#include "pieces/pieces_report.hpp"
 #include "sweep/mold_ranking.hpp"
 
 namespace moldlight::gui {
@@ -63,6 +64,29 @@ MoldSolids shown_solids(Study study, const Progress& progress) {
   show(halves.cavity, Steel::cavity);
   for (const MoldBody& insert : halves.inserts) show(insert, Steel::insert);
   return found;
+}
+
+/// For one number of directions after the other, until they are enough.
+std::vector<MoldOfPieces> found_pieces(Study study, Palette palette, const Progress& progress) {
+  std::vector<MoldOfPieces> all;
+  const int most = PiecesSettings().most;
+  for (int count = 2; count <= most && (all.empty() || !all.back().result->enough); ++count) {
+    Questions questions = study.questions();
+    questions.pieces.most = count;
+    study.ask(std::move(questions));
+    const PiecesResult& found = study.find<PiecesResult>(progress);
+    auto sheets = std::make_shared<std::vector<ViewBody>>();
+    TriangleMesh sheet{.vertices = found.formed.mesh.vertices, .facets = {}};
+    for (std::size_t k = 0; k < found.count(); ++k) {
+      sheet.facets.clear();
+      for (std::size_t piece = 0; piece < found.formed.formed_by.size(); ++piece)
+        if (found.formed.formed_by[piece] == k)
+          sheet.facets.push_back(found.formed.mesh.pieces[piece].corners);
+      sheets->push_back(view_body(sheet, study.model().frame, piece_colour(k, palette)));
+    }
+    all.push_back({study.known<PiecesResult>(), std::move(sheets)});
+  }
+  return all;
 }
 
 /// None while undercuts are not counted.
@@ -144,7 +168,9 @@ void StudyFinder::find_mold(const AppState& state, MoldState& mold, const Wants&
     find_solids(state, mold, wants);
   }
   find_inserts(state, mold);
+  find_pieces(state, mold, wants.moving);
   mold.running.reset();
+  if (pieces_job_.running()) mold.running = pieces_job_.status();
   if (solids_job_.running()) mold.running = solids_job_.status();
   if (line_job_.running()) mold.running = line_job_.status();
 }
@@ -216,6 +242,27 @@ void StudyFinder::find_inserts(const AppState& state, MoldState& mold) {
   }
   if (auto outcome = inserts_job_.take(); outcome && outcome->result)
     mold.by_action = std::make_shared<const std::vector<InsertActions>>(std::move(*outcome->result));
+}
+
+void StudyFinder::find_pieces(const AppState& state, MoldState& mold, bool moving) {
+  const Palette palette = state.settings.look.palette;
+  const bool wanted = state.model && state.mold_choices.pieces;
+  if (pieces_of_ &&
+      (wanted ? *pieces_of_ != std::pair(inputs_of<PiecesResult>(state), palette) : pieces_job_.running())) {
+    pieces_job_.give_up();
+    pieces_of_.reset();
+    mold.pieces.clear();
+  }
+  if (wanted && !moving && !pieces_of_) {
+    pieces_of_ = std::pair(inputs_of<PiecesResult>(state), palette);
+    pieces_job_.start([study = asked_study(state), palette](const Progress& progress) {
+      return found_pieces(study, palette, progress);
+    });
+  }
+  if (auto outcome = pieces_job_.take()) {
+    if (!outcome->error.empty()) mold.error = std::move(outcome->error);
+    if (outcome->result) mold.pieces = std::move(*outcome->result);
+  }
 }
 
 void StudyFinder::find_verdict(AppState& state) {

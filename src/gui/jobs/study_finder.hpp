@@ -26,7 +26,8 @@ class StudyFinder {
         changes_job_({.wake = wake}),
         line_job_({.wake = wake, .wake_for_progress = true}),
         solids_job_({.wake = wake, .wake_for_progress = true}),
-        inserts_job_({.wake = wake}) {}
+        inserts_job_({.wake = wake}),
+        pieces_job_({.wake = wake, .wake_for_progress = true}) {}
 
   /// A hand at settings: lines follow it one after the other, side actions and halves wait. `solids`: the
   /// halves are looked at.
@@ -46,6 +47,7 @@ class StudyFinder {
     line_job_.give_up();
     solids_job_.give_up();
     inserts_job_.give_up();
+    pieces_job_.give_up();
   }
 
  private:
@@ -64,6 +66,7 @@ class StudyFinder {
   void find_line(const AppState& state, MoldState& mold, bool moving);
   void find_solids(const AppState& state, MoldState& mold, const Wants& wants);
   void find_inserts(const AppState& state, MoldState& mold);
+  void find_pieces(const AppState& state, MoldState& mold, bool moving);
   void find_cards(AppState& state);
 
   Job<FoundPlan> plan_job_;
@@ -71,10 +74,12 @@ class StudyFinder {
   Job<MoldLine> line_job_;
   Job<MoldSolids> solids_job_;
   Job<std::vector<InsertActions>> inserts_job_;
+  Job<std::vector<MoldOfPieces>> pieces_job_;
   // For which the job runs or has ended.
   std::optional<Inputs<ActionPlan>> plan_of_;
   std::optional<Inputs<DraftCheck>> line_of_;
   std::optional<Inputs<MoldHalves>> solids_of_;
+  std::optional<std::pair<Inputs<PiecesResult>, Palette>> pieces_of_;
   std::shared_ptr<const SplitMesh> planned_, lined_;  // of which there is a plan, a line
   Asked<moldlight::MoldLine>::Inputs line_inputs_;    // of that line
   using Sources = std::array<std::shared_ptr<const void>, 3>;

@@ -13,6 +13,7 @@
 #include "gui/view/mold_view.hpp"
 #include "parting/mold_figures.hpp"
 #include "parting/mold_report.hpp"
+#include "pieces/pieces_report.hpp"
 
 namespace moldlight::gui {
 
@@ -170,6 +171,30 @@ void draw_halves(const PanelContext& context) {
   }
 }
 
+/// How many pieces, with what each number leaves, and the sentence on those that are looked at.
+void draw_pieces(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
+  auto& chosen = context.edits.mold_choices.pieces;
+  if (chip(ui, "Several pieces", chosen.has_value()))
+    chosen = chosen ? std::nullopt : std::optional(static_cast<std::size_t>(PiecesSettings().most));
+  tooltip(
+      ui, "Several pieces",
+      "Directions of a mold of more than two pieces, and what each forms. The slider removes the pieces one "
+      "after the other.");
+  const MoldOfPieces* const shown = shown_pieces(state);
+  if (!chosen || shown == nullptr) return;
+  const FigureStyle style(*state.model);
+  for (std::size_t k = 0; k < state.mold.pieces.size(); ++k) {
+    const PiecesResult& result = *state.mold.pieces[k].result;
+    const std::string label = fmt::format("{}: {} left", result.count(),
+                                          grouped(style.with_unit(FigureKind::area, result.left_area)));
+    if (chip(ui, label, shown->result.get() == &result, k == 0)) chosen = k;
+    name_item(ui, fmt::format("{} pieces", result.count()));
+    tooltip(ui, plural(result.count(), "piece"), with_minus(pieces_sentence(*state.model, result)));
+  }
+}
+
 /// What is known of the line, or of the halves; while one of them is found, how far that is.
 BarNews mold_news(const MoldState& mold, bool awaited, const std::string& known) {
   if (awaited) return running_news(mold.running, "finding the parting line …");
@@ -222,13 +247,19 @@ void draw_mold_panel(const PanelContext& context, TableBar& bar) {
   const MoldState& mold = context.state.mold;
   // Above what changes its height while a hand is at the slider.
   draw_opening(context);
-  option_row(ui, option_named(window_options(), "halves"), context.edits.window);
-  TableBarParts parts{.options = "mold options",
-                      .options_hint = "Settings of the mold",
-                      .news = mold_news(mold, mold.running || mold.line_awaited || mold.solids_awaited,
-                                        mold.line ? mold.line->verdict : ""),
-                      .settings = [&] { draw_mold_settings(context); }};
+  const MoldOfPieces* const pieces = shown_pieces(context.state);
+  if (pieces == nullptr) option_row(ui, option_named(window_options(), "halves"), context.edits.window);
+  TableBarParts parts{
+      .options = "mold options",
+      .options_hint = "Settings of the mold",
+      .news = mold_news(mold, mold.running || mold.line_awaited || mold.solids_awaited,
+                        pieces != nullptr ? with_minus(pieces_sentence(*context.state.model, *pieces->result))
+                        : mold.line       ? mold.line->verdict
+                                          : ""),
+      .settings = [&] { draw_mold_settings(context); }};
   parts.table = [&](RowCursor&) {
+    draw_pieces(context);
+    if (pieces != nullptr) return;
     draw_halves(context);
     ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
     if (button(ui, "Export the mold…", {.width = room_left()})) context.edits.dialogs.exporting_mold = true;

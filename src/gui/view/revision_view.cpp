@@ -50,7 +50,12 @@ class Sheets {
   const std::optional<CutPlane>& cut_;
 };
 
-/// Drawn nearer to the eye in a way that moves nothing on the screen.
+std::string change_area_text(const AppState& state, double area) {
+  return FigureStyle(*state.model).with_unit(FigureKind::area, area);
+}
+
+}  // namespace
+
 glm::dmat4 nearer(const Camera& camera) {
   const double by = k_nearer * camera.height;
   if (camera.projection == Projection::orthographic)
@@ -58,12 +63,6 @@ glm::dmat4 nearer(const Camera& camera) {
   const glm::dmat4 to_eye = glm::translate(glm::dmat4(1.0), camera.eye());
   return glm::translate(glm::scale(to_eye, glm::dvec3(1.0 - by / camera.eye_distance())), -camera.eye());
 }
-
-std::string change_area_text(const AppState& state, double area) {
-  return FigureStyle(*state.model).with_unit(FigureKind::area, area);
-}
-
-}  // namespace
 
 Camera FrameTie::camera(Camera camera) const {
   camera.target = point(camera.target);

@@ -32,6 +32,8 @@ struct FrameTie {
 /// Of a split window, how far the right half's picture stands beside the left one's, pixels.
 [[nodiscard]] float picture_shift(const SplitView& split, const glm::ivec2& window, int side);
 
+/// Brings what lies on the part's surface nearer to the eye in a way that moves nothing on the screen.
+[[nodiscard]] glm::dmat4 nearer(const Camera& camera);
 /// Whether what is lit is known and of the part that is seen.
 [[nodiscard]] bool is_lit(const AppState& state);
 /// The lit surface of A or B as bodies to be drawn over the picture, in this order: gone or new,

@@ -11,6 +11,8 @@
 #include "actions/action_body.hpp"
 #include "classify/number_format.hpp"
 #include "gui/draw/ui.hpp"
+#include "gui/view/revision_view.hpp"
+#include "pieces/piece_words.hpp"
 
 namespace moldlight::gui {
 
@@ -123,7 +125,24 @@ OpenedMold opened_mold(const ActionPlan* plan, double open) {
   return {.slides = done(0.0, ends[0]), .halves = done(ends[0], ends[1]), .lifters = done(ends[1], ends[2])};
 }
 
+std::shared_ptr<const std::vector<ViewBody>> shown_bodies(const AppState& state) {
+  if (const MoldOfPieces* pieces = shown_pieces(state)) return pieces->sheets;
+  const auto& bodies = state.actions.bodies;
+  return {bodies, bodies ? &bodies->bodies : nullptr};
+}
+
 std::vector<glm::dmat4> body_places(const AppState& state, double open, double share) {
+  if (const MoldOfPieces* pieces = shown_pieces(state)) {
+    std::vector<glm::dmat4> places;
+    const auto& directions = pieces->result->directions;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      const double moved =
+          std::clamp(open * static_cast<double>(directions.size()) - static_cast<double>(k), 0.0, 1.0);
+      places.push_back(
+          glm::translate(nearer(state.camera), 2.0 * k_mold_travel * moved * directions[k].direction));
+    }
+    return places;
+  }
   const auto& plan = state.actions.plan;
   const auto& bodies = state.actions.bodies;
   const SideAction* const chosen = chosen_action(state);
@@ -150,8 +169,9 @@ std::vector<glm::dmat4> body_places(const AppState& state, double open, double s
 std::vector<glm::vec3> points_of_bodies(const AppState& state, double open) {
   std::vector<glm::vec3> points;
   const std::vector<glm::dmat4> places = body_places(state, open, 1.0);
+  const auto bodies = shown_bodies(state);
   for (std::size_t k = 0; k < places.size(); ++k)
-    for (const ViewVertex& vertex : state.actions.bodies->bodies[k].vertices)
+    for (const ViewVertex& vertex : (*bodies)[k].vertices)
       points.emplace_back(places[k] * glm::dvec4(vertex.position, 1.0));
   return points;
 }
@@ -178,6 +198,12 @@ std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut)
 }
 
 std::string opening_text(const AppState& state, double open) {
+  if (const MoldOfPieces* pieces = shown_pieces(state); pieces != nullptr && open > 0.0) {
+    const auto count = static_cast<double>(pieces->result->count());
+    const auto moving = static_cast<std::size_t>(std::ceil(open * count)) - 1;
+    return with_minus(
+        fmt::format("piece {}, {}", moving + 1, pull_words(pieces->result->directions[moving].direction)));
+  }
   const double diagonal = state.model->frame.diagonal;
   const ActionPlan* const plan = state.actions.plan.get();
   const OpenedMold opened = opened_mold(plan, open);

@@ -46,16 +46,18 @@ struct OpenedMold {
 /// What moves first, slides and unscrewing cores, the halves, or lifters, by how far the mold is opened, [0,
 /// 1]; halves alone where there is no plan. Each of them that moves has an equal share.
 [[nodiscard]] OpenedMold opened_mold(const ActionPlan* plan, double open);
+/// The bodies of the plan, or the sheets of the mold of several pieces that is looked at; null for none.
+[[nodiscard]] std::shared_ptr<const std::vector<ViewBody>> shown_bodies(const AppState& state);
 /// Where each body of the plan is drawn, unit frame: in a mold that opens all of them, by how far it has; in
 /// a closed one that of the chosen action, out by a share [0, 1] of its travel. They leave with their halves.
-/// None where none is to be seen.
+/// Sheets leave one after the other. None where none is to be seen.
 [[nodiscard]] std::vector<glm::dmat4> body_places(const AppState& state, double open, double share);
 /// Corners of the bodies where body_places() draws them.
 [[nodiscard]] std::vector<glm::vec3> points_of_bodies(const AppState& state, double open);
 /// What a picture of an undercut is to show, unit frame: it, its action's body in place and out, and the
 /// arrow.
 [[nodiscard]] std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut);
-/// "halves 34.2 mm": what moves then, and how far it has.
+/// "halves 34.2 mm", "piece 2, -z": what moves then, and how far it has, or where to.
 [[nodiscard]] std::string opening_text(const AppState& state, double open);
 
 /// The direction across `parting` (unit) whose arrow from `tail` (unit frame) points where `at` (pixels) is.
