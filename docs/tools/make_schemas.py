@@ -71,7 +71,9 @@ def commands(kind):
                 "moldlight compare parts/enclosure_lid.stl parts/cable_clip.stl --unit mm -d z --json out.json"]
     if kind == "pieces":
         return [f"moldlight pieces {part} --json out.json"
-                for part in ("open.obj", "boxes.obj", "parts/tilted_bracket.stl --unit mm --out mold", "nut.obj --max 2 --fixed z --out mold")]
+                for part in ("open.obj", "boxes.obj", "parts/tilted_bracket.stl --unit mm --out mold",
+                             "parts/enclosure_lid.stl --unit mm --max 2 --fixed z --fixed -z --elongation 400",
+                             "open.obj --max 1 --fixed x --elongation 300", "nut.obj --max 2 --fixed z --out mold")]
     flags = {"sweep": ["--top 3", "--top 2 --pressure 30", "--time-limit 0.05"],
              "mold": ["", "--actions", "--fill-undercut --out mold --registration"],
              "classify": ["", "--readout samples", "--required-draft 2"], "actions": ["", "--strip-strain 0"]}

@@ -17,10 +17,12 @@ namespace moldlight {
 namespace {
 
 constexpr std::size_t k_most_heights = 96, k_place_samples = 64;
-constexpr double k_beside = 1e-7;      // of a vertex, where a section lies, in diagonals
-constexpr double k_round_share = 0.5;  // of an outline, for an undercut to go round it
-constexpr double k_cut_off = 0.02;     // of a perimeter
-constexpr int k_ways = 24;             // across the pull that are tried for a sample
+constexpr double k_beside = 1e-7;        // of a vertex, where a section lies, in diagonals
+constexpr double k_round_share = 0.5;    // of an outline, for an undercut to go round it
+constexpr double k_least_round = 0.05;   // square of an outline's perimeter, of the undercut's area
+constexpr double k_least_strain = 1e-3;  // else nothing has to widen
+constexpr double k_cut_off = 0.02;       // of a perimeter
+constexpr int k_ways = 24;               // across the pull that are tried for a sample
 constexpr int k_steps = 48, k_halvings = 20;
 constexpr float k_off_surface = 1e-4F;  // unit frame
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
@@ -133,12 +135,14 @@ class Sections {
               heights_[k] <= found->second.second)
             round += outline.lengths[i];
         }
-        if (round < k_round_share * outline.perimeter) continue;
+        if (round < k_round_share * outline.perimeter ||
+            outline.perimeter * outline.perimeter < k_least_round * place.area)
+          continue;
         const Neck neck = neck_of(k, outline);
         if (!worst || neck.strain() > worst->strain()) worst = neck;
       }
     }
-    return worst;
+    return worst && worst->strain() < k_least_strain ? std::nullopt : worst;
   }
 
  private:
