@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "base/check.hpp"
 #include "classify/map_comparison.hpp"
 #include "mesh/length_unit.hpp"
 #include "mesh/union_find.hpp"
+#include "mold/draft.hpp"
 
 namespace moldlight {
 
@@ -122,11 +125,23 @@ double give_away_specks(const SplitMesh& split, std::span<const InnerSide> sides
   return moved;
 }
 
+/// n . d at the border between two facets, where the surface that they follow turns from one class to the
+/// other.
+double contour_between(const glm::dvec3& a, const glm::dvec3& b, const CadLabelSettings& settings) {
+  const double sine = std::sin(glm::radians(settings.tau_deg));
+  const FacetClass first = facet_class(glm::dot(a, settings.direction), sine),
+                   second = facet_class(glm::dot(b, settings.direction), sine);
+  if (first == second) return StepBorder::k_no_contour;
+  if (first != FacetClass::near_vertical && second != FacetClass::near_vertical) return 0.0;
+  return first == FacetClass::up || second == FacetClass::up ? sine : -sine;
+}
+
 }  // namespace
 
 CadLabels cad_labels(const PartModel& model, const SplitMesh& split, std::span<const MeshGroup> groups,
-                     std::vector<std::uint32_t> of_piece, double width) {
+                     std::vector<std::uint32_t> of_piece, const CadLabelSettings& settings) {
   const Part& part = model.part;
+  const double width = settings.speck_width;
   CHECK(part.has_cad_faces && of_piece.size() == split.pieces.size());
   CadLabels found;
   StepLabels& labels = found.labels;
@@ -146,10 +161,14 @@ CadLabels cad_labels(const PartModel& model, const SplitMesh& split, std::span<c
   found.moved_area = give_away_specks(split, sides, width, of_piece);
 
   labels.of_face.assign(faces, StepLabels::k_none);
+  found.areas.assign(groups.size(), 0.0);
   std::vector<std::map<std::uint32_t, double>> areas(faces);
-  for (std::size_t piece = 0; piece < of_piece.size(); ++piece)
-    if (face_of_piece[piece] != k_no_facet)
-      areas[face_of_piece[piece]][of_piece[piece]] += piece_area(split, split.pieces[piece]);
+  for (std::size_t piece = 0; piece < of_piece.size(); ++piece) {
+    if (face_of_piece[piece] == k_no_facet) continue;
+    const double area = piece_area(split, split.pieces[piece]);
+    areas[face_of_piece[piece]][of_piece[piece]] += area;
+    found.areas[of_piece[piece]] += area;
+  }
   for (std::uint32_t face = 0; face < faces; ++face) {
     found.other_areas.push_back(0.0);
     if (areas[face].empty()) continue;
@@ -159,6 +178,7 @@ CadLabels cad_labels(const PartModel& model, const SplitMesh& split, std::span<c
       if (label != most->first) found.other_areas.back() += area;
   }
 
+  labels.direction = {settings.direction.x, settings.direction.y, settings.direction.z};
   const double mm = part.unit.empty() ? 1.0 : parse_length_unit(part.unit).mm;
   labels.tolerance = k_border_share * width * mm;
   const auto file_facet_of = [&](FacetIndex facet) {
@@ -168,15 +188,6 @@ CadLabels cad_labels(const PartModel& model, const SplitMesh& split, std::span<c
     const glm::dvec3 point = mm * split.vertices[vertex];
     return std::array<double, 3>{point.x, point.y, point.z};
   };
-  std::vector<bool> seen(faces, false);
-  for (std::size_t piece = 0; piece < of_piece.size(); ++piece) {
-    const std::uint32_t face = face_of_piece[piece];
-    if (face == k_no_facet || seen[face] || piece_area(split, split.pieces[piece]) <= 0.0) continue;
-    seen[face] = true;
-    const glm::dvec3 middle = mm * split.middle(piece);
-    labels.samples.push_back(
-        {{middle.x, middle.y, middle.z}, face, file_facet_of(split.pieces[piece].facet)});
-  }
   for (const InnerSide& side : sides) {
     const std::uint32_t rising = of_piece[side.pieces[0]], falling = of_piece[side.pieces[1]];
     if (rising == falling || face_of_piece[side.pieces[0]] == k_no_facet) continue;
@@ -185,7 +196,10 @@ CadLabels cad_labels(const PartModel& model, const SplitMesh& split, std::span<c
                       .vertices = {side.low, side.high},
                       .left = rising,
                       .right = falling};
-    border.facet = file_facet_of(split.pieces[side.pieces[0]].facet);
+    const FacetIndex facet = split.pieces[side.pieces[0]].facet;
+    border.facet = file_facet_of(facet);
+    border.contour = contour_between(model.geometry.normals[facet],
+                                     model.geometry.normals[split.pieces[side.pieces[1]].facet], settings);
     if (falling < rising) {
       std::swap(border.from, border.to);
       std::swap(border.vertices[0], border.vertices[1]);

@@ -55,9 +55,8 @@ int run(const ActionsFlags& flags, Console& console, const Progress& progress) {
   Json step;
   if (!flags.step.empty()) {
     ActionGroups groups = action_groups(found, flags.still.look.palette);
-    step =
-        write_step(flags, study.model(),
-                   {*result.split, std::move(groups.groups), std::move(groups.of_piece)}, console, progress);
+    step = write_step(flags, study, {*result.split, std::move(groups.groups), std::move(groups.of_piece)},
+                      console, progress);
   }
   if (!flags.image.empty()) {
     const auto pulled = pulled_bodies(found);

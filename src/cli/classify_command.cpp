@@ -91,7 +91,7 @@ int run(const ClassifyFlags& flags, Console& console, const Progress& progress) 
     StepContent content{*result.split, region_groups(flags.still.look.palette), {}};
     for (const SplitPiece& piece : result.split->pieces)
       content.of_piece.push_back(static_cast<std::uint32_t>(piece.region));
-    step = write_step(flags, *model, std::move(content), console, progress);
+    step = write_step(flags, study, std::move(content), console, progress);
   }
   if (!flags.image.empty()) {
     const Image picture = StillPainter(*context, model).draw(result, flags.still, progress);

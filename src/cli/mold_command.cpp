@@ -65,7 +65,7 @@ int run(const MoldFlags& flags, Console& console, const Progress& progress) {
     StepContent content = step_content(model, assignment, line, flags.still.look.palette);
     if (const MoldHalves& halves = mold_halves(study, progress); halves.made())
       content.surfaces = parting_surfaces(model, halves);
-    step = write_step(flags, model, std::move(content), console, progress);
+    step = write_step(flags, study, std::move(content), console, progress);
   }
   const std::string refusal = mold_refusal(study, progress);
   if (!flags.folder.empty() && refusal.empty()) {

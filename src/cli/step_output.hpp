@@ -10,6 +10,7 @@
 #include "io/mesh_writer.hpp"
 #include "io/step_labels.hpp"
 #include "mold/exact/split_mesh.hpp"
+#include "study/study.hpp"
 
 namespace moldlight::cli {
 
@@ -24,7 +25,7 @@ struct StepContent {
 };
 /// Writes the file that --step names, and says on stderr which faces could not be split. Returns what the
 /// report says of it. Throws FileError.
-[[nodiscard]] Json write_step(const StudyFlags& flags, const PartModel& model, StepContent content,
+[[nodiscard]] Json write_step(const StudyFlags& flags, const Study& study, StepContent content,
                               Console& console, const Progress& progress);
 
 }  // namespace moldlight::cli

@@ -21,12 +21,10 @@ struct StepBorder {
   std::array<std::uint32_t, 2> vertices{};         // equal numbers are one point
   std::uint32_t facet = 0;                         // of the StepResult
   std::uint32_t left = 0, right = 0, padding = 0;  // labels, left of the walk as seen from outside
-};
+  double contour = k_no_contour;                   // n . d where the surface itself has the border
 
-/// A point of a CAD face, by which it shows that a part has changed since it was read.
-struct StepSample {
-  std::array<double, 3> point{};  // mm
-  std::uint32_t face = 0, facet = 0;
+  static constexpr double k_no_contour = 2.0;
+  [[nodiscard]] bool on_contour() const { return contour < k_no_contour; }
 };
 
 /// A line beside the part, such as a loop of the parting line.
@@ -54,10 +52,10 @@ struct StepLabels {
   std::vector<std::string> names;          // of the labels
   std::vector<std::uint32_t> colours;      // of the labels, 0xRRGGBB
   std::vector<std::uint32_t> of_face;      // label of the most of each CAD face; k_none: it is left out
-  std::vector<StepSample> samples;         // one a face
   std::vector<std::uint32_t> split_faces;  // with borders, rising
   std::vector<StepBorder> borders;         // on these
   double tolerance = 0.0;                  // mm, by which borders may be simplified
+  std::array<double, 3> direction{};       // d of the contours; unit
   std::vector<StepLine> lines;
   std::vector<StepSurface> surfaces;
 
@@ -67,10 +65,10 @@ struct StepLabels {
     for (const std::string& name : names) out.text(name);
     out.array(colours);
     out.array(of_face);
-    out.array(samples);
     out.array(split_faces);
     out.array(borders);
     out.number(tolerance);
+    out.array(std::vector{direction});
     out.number<std::uint64_t>(lines.size());
     for (const StepLine& line : lines) {
       out.text(line.name);
@@ -97,10 +95,10 @@ struct StepLabels {
     for (auto count = in.number<std::uint64_t>(); count > 0; --count) labels.names.push_back(in.text());
     labels.colours = in.array<std::uint32_t>();
     labels.of_face = in.array<std::uint32_t>();
-    labels.samples = in.array<StepSample>();
     labels.split_faces = in.array<std::uint32_t>();
     labels.borders = in.array<StepBorder>();
     labels.tolerance = in.number<double>();
+    labels.direction = in.array<std::array<double, 3>>().at(0);
     for (auto count = in.number<std::uint64_t>(); count > 0; --count) {
       std::string name = in.text();
       labels.lines.push_back({std::move(name), in.array<std::array<double, 3>>()});
@@ -125,12 +123,14 @@ struct StepLabels {
 struct StepWritten {
   std::string error;                        // one sentence; the rest is empty then
   std::vector<std::uint32_t> failed_faces;  // could not be split, rising
+  std::vector<double> areas;                // mm², of the exact faces of each label
   std::string file;
 
   [[nodiscard]] std::string to_bytes() const {
     ByteWriter out;
     out.text(error);
     out.array(failed_faces);
+    out.array(areas);
     out.text(file);
     return out.bytes();
   }
@@ -141,6 +141,7 @@ struct StepWritten {
     StepWritten written;
     written.error = in.text();
     written.failed_faces = in.array<std::uint32_t>();
+    written.areas = in.array<double>();
     written.file = in.text();
     return written;
   }

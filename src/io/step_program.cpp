@@ -1,5 +1,7 @@
 #include "io/step_program.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -11,6 +13,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 
 #include "base/error.hpp"
@@ -26,59 +29,25 @@ namespace {
 
 constexpr int k_poll_ms = 50;
 
-/// Ends the child with the scope: no way out leaves it running or unwaited for.
-class Child {
- public:
-  explicit Child(pid_t pid) : pid_(pid) {}
-  ~Child() {
-    if (pid_ > 0) {
-      ::kill(pid_, SIGKILL);
-      wait();
-    }
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  void kill() const { ::kill(pid_, SIGKILL); }
-  int wait() {
-    int status = 0;
-    while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
-    }
-    pid_ = -1;
-    return status;
-  }
-
- private:
-  pid_t pid_;
-};
-
 /// The same under a number above those that the child uses, lest one is laid over another.
 Descriptor above_the_childs(Descriptor low) {
   return Descriptor(low.number() < 0 ? -1
                                      : ::fcntl(low.number(), F_DUPFD_CLOEXEC, k_step_labels_descriptor + 1));
 }
 
-struct ChildResult {
-  std::string bytes;  // what it wrote to the descriptor
-  int exit_code = 0;
-  int signal = 0;  // that ended it; 0 for none
-  bool timed_out = false;
-  bool too_long = false;  // it wrote more than it may
-};
-
 struct ChildCommand {
   std::string program;  // path
   std::vector<std::string> arguments;
-  int file = -1;                 // open; the child finds it at k_step_file_descriptor
-  int labels = -1;               // and this, where there is one, at k_step_labels_descriptor
-  std::uint64_t most_bytes = 0;  // that it may hand back
-  std::chrono::seconds time_limit{60};
+  int answers = -1;  // the child finds it at k_step_result_descriptor
+  int file = -1;     // and this at k_step_file_descriptor
+  int labels = -1;   // and this, where there is one, at k_step_labels_descriptor
 };
 
-pid_t start(const ChildCommand& command, int writing_end) {
+/// With its standard streams closed off; -1 where it cannot be started, for the reason in errno.
+pid_t started(const ChildCommand& command) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, writing_end, k_step_result_descriptor);
+  posix_spawn_file_actions_adddup2(&actions, command.answers, k_step_result_descriptor);
   posix_spawn_file_actions_adddup2(&actions, command.file, k_step_file_descriptor);
   if (command.labels >= 0)
     posix_spawn_file_actions_adddup2(&actions, command.labels, k_step_labels_descriptor);
@@ -95,45 +64,6 @@ pid_t start(const ChildCommand& command, int writing_end) {
   if (error == 0) return pid;
   errno = error;
   return -1;
-}
-
-/// Runs the program with its standard streams closed off, until it ends, `time_limit` is over or `progress`
-/// is cancelled (throws Cancelled). None where it cannot be started, for the reason in errno.
-std::optional<ChildResult> run_child(const ChildCommand& command, const Progress& progress) {
-  Pipe pipe;
-  pipe.writing = above_the_childs(std::move(pipe.writing));
-  if (pipe.writing.number() < 0) return std::nullopt;
-  const pid_t pid = start(command, pipe.writing.number());
-  if (pid < 0) return std::nullopt;
-  Child child(pid);
-  pipe.writing.close();
-
-  ChildResult result;
-  const auto deadline = std::chrono::steady_clock::now() + command.time_limit;
-  std::vector<char> chunk(std::size_t{1} << 16);
-  while (true) {
-    progress.report("reading", 0.5);
-    if (std::chrono::steady_clock::now() > deadline) {
-      result.timed_out = true;
-      child.kill();
-      break;
-    }
-    pollfd waiting = {pipe.reading.number(), POLLIN, 0};
-    if (::poll(&waiting, 1, k_poll_ms) <= 0) continue;
-    const ssize_t got = ::read(pipe.reading.number(), chunk.data(), chunk.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) break;
-    if (result.bytes.size() + static_cast<std::size_t>(got) > command.most_bytes) {
-      result.too_long = true;
-      child.kill();
-      break;
-    }
-    result.bytes.append(chunk.data(), static_cast<std::size_t>(got));
-  }
-  const int status = child.wait();
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-  result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  return result;
 }
 
 constexpr std::uint64_t k_base_memory_bytes = std::uint64_t{3} << 30;
@@ -165,7 +95,7 @@ Descriptor file_of(std::string_view bytes) {
 
 }  // namespace
 
-std::string run_step_program(const ReadContext& context, const StepTask& task) {
+void StepProgram::start(const ReadContext& context, const StepTask& task) {
   const auto program = step_reading_program();
   if (!program) {
     context.fail("",
@@ -177,37 +107,100 @@ std::string run_step_program(const ReadContext& context, const StepTask& task) {
       above_the_childs(task.from_memory ? file_of(context.bytes())
                                         : Descriptor(::open(context.path.c_str(), O_RDONLY | O_CLOEXEC)));
   if (file.number() < 0) context.fail("", "cannot be opened again: {}", std::strerror(errno));
-  const Descriptor labels = task.labels.empty() ? Descriptor() : above_the_childs(file_of(task.labels));
-  if (!task.labels.empty() && labels.number() < 0)
-    context.fail("", "cannot be split: {}", std::strerror(errno));
-  ChildCommand command;
-  command.program = *program;
-  command.file = file.number();
-  command.labels = labels.number();
-  command.most_bytes = task.most_bytes;
-  command.time_limit = k_base_time + std::chrono::seconds(task.file_bytes / k_bytes_a_second);
-  command.arguments = {fmt::format("{}", context.options.linear_deflection),
-                       fmt::format("{}", context.options.angular_deflection_deg),
-                       std::to_string(context.options.max_facets),
-                       std::to_string(k_base_memory_bytes + k_memory_bytes_a_byte * task.file_bytes),
-                       task.format,
-                       task.labels.empty() ? "read" : "write"};
-  const auto child = run_child(command, context.progress);
-  if (!child) {
-    context.fail("", "cannot be read: {} does not start ({}); allow more processes and memory", *program,
+  end();
+  path_ = *program;
+  file_bytes_ = task.file_bytes;
+  limit_time(task.file_bytes);
+  // Labels have as much memory as the file.
+  const std::uint64_t memory_bytes =
+      k_base_memory_bytes + (task.stays ? 2 : 1) * k_memory_bytes_a_byte * task.file_bytes;
+  Pipe pipe;
+  pipe.writing = above_the_childs(std::move(pipe.writing));
+  std::array<int, 2> ends = {-1, -1};
+  const bool made = !task.stays || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
+  const Descriptor childs = above_the_childs(Descriptor(ends[1]));
+  labels_ = Descriptor(ends[0]);
+  if (made && pipe.writing.number() >= 0 && (!task.stays || childs.number() >= 0)) {
+    pid_ = started({.program = path_,
+                    .arguments = {fmt::format("{}", context.options.linear_deflection),
+                                  fmt::format("{}", context.options.angular_deflection_deg),
+                                  std::to_string(context.options.max_facets), std::to_string(memory_bytes),
+                                  task.format, task.stays ? "stay" : "read"},
+                    .answers = pipe.writing.number(),
+                    .file = file.number(),
+                    .labels = childs.number()});
+  }
+  if (!running()) {
+    context.fail("", "cannot be read: {} does not start ({}); allow more processes and memory", path_,
                  std::strerror(errno));
   }
-  if (child->timed_out) {
-    context.fail("", "takes more than {} s to read; coarsen the deflection or export the part as STL",
-                 command.time_limit.count());
+  answers_ = std::move(pipe.reading);
+}
+
+void StepProgram::ask(const ReadContext& context, std::string_view labels) {
+  stage_ = "writing";
+  limit_time(file_bytes_ + labels.size());
+  while (!labels.empty()) {
+    wait_for(context, labels_.number(), POLLOUT);
+    const ssize_t sent = ::send(labels_.number(), labels.data(), labels.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0 && errno != EINTR && errno != EAGAIN) break;  // answer() finds out why
+    labels.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(sent, 0)));
   }
-  if (child->too_long) context.fail("", "{}", k_step_breaks);
-  if (child->signal != 0) fail_for_signal(context, child->signal);
-  if (child->exit_code != 0) {
-    context.fail("", "cannot be read: {} ends with exit code {}; it may need more memory than is allowed",
-                 *program, child->exit_code);
+  labels_.close();
+}
+
+std::string StepProgram::answer(const ReadContext& context, std::uint64_t most_bytes) {
+  std::string bytes;
+  std::optional<std::uint64_t> length;
+  std::vector<char> chunk(std::size_t{1} << 16);
+  while (!length || bytes.size() < *length) {
+    wait_for(context, answers_.number(), POLLIN);
+    const std::size_t missing = length ? *length - bytes.size() : sizeof *length - bytes.size();
+    const ssize_t got = ::read(answers_.number(), chunk.data(), std::min(missing, chunk.size()));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) fail_for_end(context);
+    bytes.append(chunk.data(), static_cast<std::size_t>(got));
+    if (length || bytes.size() < sizeof *length) continue;
+    std::memcpy(&length.emplace(), bytes.data(), sizeof *length);
+    bytes.clear();
+    if (*length > most_bytes) context.fail("", "{}", k_step_breaks);
   }
-  return child->bytes;
+  return bytes;
+}
+
+void StepProgram::wait_for(const ReadContext& context, int descriptor, short event) {
+  for (pollfd waiting = {descriptor, event, 0}; true;) {
+    context.progress.report(stage_, 0.5);
+    if (std::chrono::steady_clock::now() > deadline_) {
+      context.fail("", "takes more than {} s to read; coarsen the deflection or export the part as STL",
+                   time_limit_.count());
+    }
+    if (::poll(&waiting, 1, k_poll_ms) > 0) return;
+  }
+}
+
+void StepProgram::limit_time(std::uint64_t bytes) {
+  time_limit_ = k_base_time + std::chrono::seconds(bytes / k_bytes_a_second);
+  deadline_ = std::chrono::steady_clock::now() + time_limit_;
+}
+
+void StepProgram::fail_for_end(const ReadContext& context) {
+  int status = 0;
+  while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  if (WIFSIGNALED(status)) fail_for_signal(context, WTERMSIG(status));
+  if (WEXITSTATUS(status) == 0) context.fail("", "{}", k_step_breaks);
+  context.fail("", "cannot be read: {} ends with exit code {}; it may need more memory than is allowed",
+               path_, WEXITSTATUS(status));
+}
+
+void StepProgram::end() {
+  if (!running()) return;
+  ::kill(pid_, SIGKILL);
+  while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
 }
 
 std::optional<std::string> step_reading_program() {

@@ -45,13 +45,16 @@ void check_result(const ReadContext& context, const StepResult& result) {
 Part read_by_opencascade(const ReadContext& context, const char* format) {
   const std::uint64_t file_bytes = context.bytes().size();
   if (!context.in_memory) context.contents.release();
+  StepProgram ends;
+  StepProgram& program = context.options.stays ? *context.options.stays : ends;
+  program.start(context, {.format = format,
+                          .file_bytes = file_bytes,
+                          .from_memory = context.in_memory,
+                          .stays = context.options.stays != nullptr});
   return part_of_step_result(
-      context, run_step_program(context, {.format = format,
-                                          .file_bytes = file_bytes,
-                                          .from_memory = context.in_memory,
-                                          .most_bytes = k_base_result_bytes +
-                                                        k_result_bytes_a_facet * context.options.max_facets +
-                                                        k_result_bytes_a_byte * file_bytes}));
+      context,
+      program.answer(context, k_base_result_bytes + k_result_bytes_a_facet * context.options.max_facets +
+                                  k_result_bytes_a_byte * file_bytes));
 }
 
 }  // namespace

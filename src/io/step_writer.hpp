@@ -12,12 +12,15 @@
 
 namespace moldlight {
 
-/// Writes by the program moldlight-step; the file is replaced whole or not at all. `options` are those that
-/// the part was read with, a part with CAD faces. Returns the CAD faces that could not be split, rising,
-/// which are under their own label as a whole. Throws FileError, also where the part's file has changed
-/// since, and Cancelled.
-std::vector<std::uint32_t> write_step_part(const std::string& path, const Part& part,
-                                           const ReadOptions& options, const StepLabels& labels,
-                                           const Progress& progress);
+struct StepPartWritten {
+  std::vector<std::uint32_t> failed_faces;  // could not be split, rising: under their own label as a whole
+  std::vector<double> areas;                // mm², of the exact faces of each label
+};
+/// Writes by the program that has read the part and stays (ReadOptions::stays); this ends it. The file is
+/// replaced whole or not at all. `options` are those that the part was read with, a part with CAD faces.
+/// Throws FileError and Cancelled.
+[[nodiscard]] StepPartWritten write_step_part(const std::string& path, const Part& part,
+                                              const ReadOptions& options, const StepLabels& labels,
+                                              const Progress& progress);
 
 }  // namespace moldlight

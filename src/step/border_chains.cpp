@@ -1,7 +1,9 @@
 #include "step/border_chains.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -14,6 +16,10 @@
 #include <Geom2d_TrimmedCurve.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Geom_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <gp_Pnt.hxx>
+
+#include "step/face_contour.hpp"
 
 namespace moldlight::step {
 
@@ -66,29 +72,82 @@ bool leave_outline(std::vector<Place>& places, const TopoDS_Face& face, double b
   return true;
 }
 
-}  // namespace
-
 gp_Pnt point_of(const std::array<double, 3>& at, const gp_Trsf& to_body) {
   return gp_Pnt(at[0], at[1], at[2]).Transformed(to_body);
 }
 
-std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
-                             std::span<const StepBorder> borders, const gp_Trsf& to_body, double tolerance) {
-  const FaceMesh mesh(face, tolerance);
-  struct Step {
-    const StepBorder* border;
-    Place from, to;
-    bool used = false;
+struct Step {
+  const StepBorder* border;
+  Place from, to;
+  std::vector<Place> between = {};
+  bool used = false;
+};
+
+/// Moves the ends of borders at contours, and all other borders that end there, and puts places between them,
+/// since the contour bends there.
+void move_to_contours(std::vector<Step>& steps, const TopoDS_Face& face, const FaceMesh& mesh,
+                      const FaceBorders& asked) {
+  struct Move {
+    gp_Vec2d shift;  // on either side of a seam
+    Place to;
   };
+  std::map<std::uint32_t, std::optional<Move>> moves;  // by the vertex
+  // The contour is in one of the facets on both sides.
+  const auto reach = [&](const StepBorder& border) {
+    return mesh.greatest_height(border.facet - asked.first_facet);
+  };
+  for (const Step& step : steps) {
+    const StepBorder& border = *step.border;
+    if (!border.on_contour()) continue;
+    for (const auto& [place, vertex] :
+         {std::pair(&step.from, border.vertices[0]), std::pair(&step.to, border.vertices[1])}) {
+      const auto [entry, fresh] = moves.try_emplace(vertex);
+      if (!fresh) continue;
+      if (const auto moved = on_contour(face, {*asked.direction, border.contour}, *place, reach(border)))
+        entry->second = Move{gp_Vec2d(place->uv, moved->uv), *moved};
+    }
+  }
+  const auto move = [&](Place& place, std::uint32_t vertex) {
+    const auto found = moves.find(vertex);
+    if (found == moves.end() || !found->second) return false;
+    const auto& there = found->second->to.on_edge;
+    if (place.on_edge.has_value() != there.has_value() || (there && !there->edge.IsSame(place.on_edge->edge)))
+      return false;
+    place.uv.Translate(found->second->shift);
+    place.point = found->second->to.point;
+    if (there) place.on_edge->parameter = there->parameter;
+    return true;
+  };
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  for (Step& step : steps) {
+    const StepBorder& border = *step.border;
+    const double most = reach(border);
+    const bool from = move(step.from, border.vertices[0]), to = move(step.to, border.vertices[1]);
+    if (!border.on_contour() || !from || !to) continue;
+    for (const double share : {0.25, 0.5, 0.75}) {
+      Place place{.uv = step.from.uv.Translated(share * gp_Vec2d(step.from.uv, step.to.uv)),
+                  .point = {},
+                  .on_edge = {}};
+      place.point = surface->Value(place.uv.X(), place.uv.Y());
+      if (const auto moved = on_contour(face, {*asked.direction, border.contour}, place, most))
+        step.between.push_back(*moved);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Chain> chains_of(const TopoDS_Face& face, const FaceBorders& asked) {
+  const FaceMesh mesh(face, asked.tolerance);
   std::vector<Step> steps;
   std::map<std::uint32_t, std::vector<std::size_t>> out, in;
   std::map<std::uint32_t, OnEdge> on_edge;
-  for (const StepBorder& border : borders) {
-    const gp_Pnt from = point_of(border.from, to_body), to = point_of(border.to, to_body);
-    const std::size_t facet = border.facet - first_facet;
+  for (const StepBorder& border : asked.borders) {
+    const gp_Pnt from = point_of(border.from, asked.to_body), to = point_of(border.to, asked.to_body);
+    const std::size_t facet = border.facet - asked.first_facet;
     if (mesh.along_edge(facet, from, to)) continue;
     Step step{&border, mesh.place(facet, from), mesh.place(facet, to)};
-    if (step.from.on_edge && step.to.on_edge && from.Distance(to) < k_near_edge * tolerance) continue;
+    if (step.from.on_edge && step.to.on_edge && from.Distance(to) < k_near_edge * asked.tolerance) continue;
     out[border.vertices[0]].push_back(steps.size());
     in[border.vertices[1]].push_back(steps.size());
     steps.push_back(std::move(step));
@@ -103,6 +162,7 @@ std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
         place->on_edge = found->second;
     }
   }
+  if (asked.direction) move_to_contours(steps, face, mesh, asked);
   const auto passes = [&](std::uint32_t vertex) {
     if (on_edge.contains(vertex)) return false;
     const auto ins = in.find(vertex), outs = out.find(vertex);
@@ -120,6 +180,7 @@ std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
     chain.right = reversed ? begin.left : begin.right;
     for (std::size_t k = start; !steps[k].used;) {
       steps[k].used = true;
+      std::ranges::copy(steps[k].between, std::back_inserter(chain.places));
       chain.places.push_back(steps[k].to);
       chain.last = steps[k].border->vertices[1];
       if (!passes(chain.last)) break;
@@ -128,7 +189,7 @@ std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
     bool kept = true;
     for (int side = 0; side < 2; ++side) {
       straighten(chain.places.front(), chain.places[1], face);
-      kept = leave_outline(chain.places, face, k_band * tolerance) && kept;
+      kept = leave_outline(chain.places, face, k_band * asked.tolerance) && kept;
       std::ranges::reverse(chain.places);
     }
     if (!kept) return;

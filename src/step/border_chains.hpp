@@ -1,13 +1,13 @@
 // The borders on a face as chains between the places where they meet, in the parameters of its surface.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
-#include <gp_Pnt.hxx>
+#include <gp_Dir.hxx>
 #include <gp_Trsf.hxx>
 
 #include "io/step_labels.hpp"
@@ -23,12 +23,16 @@ struct Chain {
   std::uint32_t left = 0, right = 0;  // in the parameters
 };
 
-[[nodiscard]] gp_Pnt point_of(const std::array<double, 3>& at, const gp_Trsf& to_body);
+/// Of one face.
+struct FaceBorders {
+  std::uint32_t first_facet = 0;  // of the face
+  std::span<const StepBorder> borders;
+  gp_Trsf to_body;
+  double tolerance = 0.0;
+  std::optional<gp_Dir> direction;  // of the body; borders of contours along it are moved there
+};
 
-/// Chains of the borders of a face, whose facets begin at `first_facet`. Throws std::runtime_error where they
-/// are not on the facets.
-[[nodiscard]] std::vector<Chain> chains_of(const TopoDS_Face& face, std::uint32_t first_facet,
-                                           std::span<const StepBorder> borders, const gp_Trsf& to_body,
-                                           double tolerance);
+/// Throws std::runtime_error where the borders are not on the facets.
+[[nodiscard]] std::vector<Chain> chains_of(const TopoDS_Face& face, const FaceBorders& asked);
 
 }  // namespace moldlight::step

@@ -42,7 +42,7 @@ FaceMesh::FaceMesh(const TopoDS_Face& face, double tolerance)
 
 Place FaceMesh::place(std::size_t k, const gp_Pnt& point) const {
   const auto [nodes, weights, heights] = weighed(k, point);
-  Place place{{0, 0}, point, std::nullopt};
+  Place place{.uv = {0, 0}, .point = point, .on_edge = std::nullopt};
   for (std::size_t i = 0; i < 3; ++i) place.uv.ChangeCoord() += weights[i] * mesh_->UVNode(nodes[i]).XY();
   for (std::size_t i = 0; i < 3; ++i) {
     const auto found = nodes_.find(nodes[i]);
@@ -73,6 +73,12 @@ bool FaceMesh::along_edge(std::size_t k, const gp_Pnt& from, const gp_Pnt& to) c
   return false;
 }
 
+double FaceMesh::greatest_height(std::size_t k) const {
+  std::array<int, 3> nodes{};
+  mesh_->Triangle(static_cast<int>(k) + 1).Get(nodes[0], nodes[1], nodes[2]);
+  return std::ranges::max(weighed(k, corner_of(nodes[0])).heights);
+}
+
 FaceMesh::Weighed FaceMesh::weighed(std::size_t k, const gp_Pnt& point) const {
   Weighed found{};
   mesh_->Triangle(static_cast<int>(k) + 1).Get(found.nodes[0], found.nodes[1], found.nodes[2]);
@@ -88,7 +94,7 @@ FaceMesh::Weighed FaceMesh::weighed(std::size_t k, const gp_Pnt& point) const {
     found.heights[i] = std::sqrt(square) / (b - a).Modulus();
     there += found.weights[i] * at[i];
   }
-  if ((there - point.XYZ()).Modulus() > tolerance_) throw std::runtime_error(k_changed);
+  if ((there - point.XYZ()).Modulus() > tolerance_) throw std::runtime_error(k_beside);
   return found;
 }
 

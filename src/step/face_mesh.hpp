@@ -18,8 +18,8 @@
 
 namespace moldlight::step {
 
-/// Of a file that is not the one that the labels were made for.
-inline constexpr const char* k_changed = "has changed since it was read; run the command again";
+/// Of labels that are not those of the part.
+inline constexpr const char* k_beside = "has borders beside its faces; use --mesh";
 /// Of a border and an edge that it runs along, in tolerances.
 inline constexpr double k_near_edge = 0.1;
 
@@ -46,6 +46,8 @@ class FaceMesh {
   [[nodiscard]] Place place(std::size_t k, const gp_Pnt& point) const;
   /// Whether both points are on one side of facet `k` that is on an edge of the face.
   [[nodiscard]] bool along_edge(std::size_t k, const gp_Pnt& from, const gp_Pnt& to) const;
+  /// The greatest height of facet `k` over a side.
+  [[nodiscard]] double greatest_height(std::size_t k) const;
 
  private:
   struct Side {

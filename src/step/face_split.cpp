@@ -45,6 +45,7 @@ namespace moldlight::step {
 namespace {
 
 constexpr double k_area_share = 1e-5;  // that the pieces of a face may differ from it
+constexpr double k_least_share = 0.2;  // of a face, of the label that has most of it on the facets
 constexpr std::uint32_t k_none = StepLabels::k_none;
 
 using TShape = const TopoDS_TShape*;
@@ -171,12 +172,6 @@ class CutEdges {
   std::map<TShape, Cut> cuts_;
 };
 
-double area_of(const TopoDS_Shape& shape) {
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(shape, properties, 0.1 * k_area_share);
-  return properties.Mass();
-}
-
 /// The pieces of a face, which is looked at forward; empty where they are not sound.
 std::vector<LabelledFace> pieces_of(const TopoDS_Face& face, const std::vector<Chain>& chains,
                                     const CutEdges& cuts, double tolerance) {
@@ -226,7 +221,7 @@ std::vector<LabelledFace> pieces_of(const TopoDS_Face& face, const std::vector<C
   std::vector<LabelledFace> pieces;
   double area = 0.0;
   for (const TopoDS_Shape& shape : builder.Areas()) {
-    LabelledFace piece{TopoDS::Face(shape), k_none};
+    LabelledFace piece{.face = TopoDS::Face(shape), .label = k_none};
     for (TopExp_Explorer walk(shape, TopAbs_EDGE); walk.More(); walk.Next()) {
       const auto found = sides.find(walk.Current().TShape().get());
       if (found == sides.end()) continue;
@@ -236,7 +231,8 @@ std::vector<LabelledFace> pieces_of(const TopoDS_Face& face, const std::vector<C
       piece.label = label;
     }
     if (piece.label == k_none || !BRepCheck_Analyzer(shape).IsValid()) return {};
-    area += area_of(shape);
+    piece.area = area_of(shape);
+    area += piece.area;
     pieces.push_back(piece);
   }
   const double whole = area_of(face);
@@ -244,7 +240,25 @@ std::vector<LabelledFace> pieces_of(const TopoDS_Face& face, const std::vector<C
   return pieces;
 }
 
+/// Whether the label that most facets have has some of the face. A border along the outline may be on the
+/// other side of it, as facets leave a bent outline.
+bool has_label(const std::vector<LabelledFace>& pieces, std::uint32_t label) {
+  double there = 0.0, all = 0.0;
+  for (const LabelledFace& piece : pieces) {
+    all += piece.area;
+    if (piece.label == label) there += piece.area;
+  }
+  return there >= k_least_share * all;
+}
+
 }  // namespace
+
+double area_of(const TopoDS_Shape& shape) {
+  constexpr double k_error = 1e-7;
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape, properties, k_error);
+  return properties.Mass();
+}
 
 LabelledPart split_faces(const std::vector<PlacedBody>& bodies, const StepLabels& labels) {
   std::vector<TopoDS_Face> faces;
@@ -263,25 +277,23 @@ LabelledPart split_faces(const std::vector<PlacedBody>& bodies, const StepLabels
       if (!mesh.IsNull()) facets += static_cast<std::uint32_t>(mesh->NbTriangles());
     }
   }
-  if (faces.size() < labels.of_face.size()) throw std::runtime_error(k_changed);
-  for (const StepSample& sample : labels.samples) {
-    const std::uint32_t begin = first_facets.at(sample.face);
-    const std::uint32_t end = sample.face + 1 < faces.size() ? first_facets[sample.face + 1] : facets;
-    if (sample.facet < begin || sample.facet >= end) throw std::runtime_error(k_changed);
-    static_cast<void>(FaceMesh(faces[sample.face], labels.tolerance)
-                          .place(sample.facet - begin, point_of(sample.point, to_body[sample.face])));
-  }
+  if (faces.size() < labels.of_face.size()) throw std::runtime_error(k_beside);
 
+  std::map<std::uint32_t, FaceBorders> borders;
   std::map<std::uint32_t, std::vector<Chain>> chains;
   for (std::size_t begin = 0, next = 0; begin < labels.borders.size(); begin = next) {
     const auto above = std::ranges::upper_bound(first_facets, labels.borders[begin].facet);
     const auto number = static_cast<std::uint32_t>(above - first_facets.begin()) - 1;
     const std::uint32_t end = above == first_facets.end() ? facets : *above;
     while (next < labels.borders.size() && labels.borders[next].facet < end) ++next;
-    if (next == begin) throw std::runtime_error(k_changed);
-    chains[number] =
-        chains_of(faces[number], first_facets[number], std::span(labels.borders).subspan(begin, next - begin),
-                  to_body[number], labels.tolerance);
+    if (next == begin) throw std::runtime_error(k_beside);
+    FaceBorders& of_face = borders[number];
+    of_face = {first_facets[number], std::span(labels.borders).subspan(begin, next - begin), to_body[number],
+               labels.tolerance, std::nullopt};
+    const auto& [x, y, z] = labels.direction;
+    if (std::ranges::any_of(of_face.borders, &StepBorder::on_contour))
+      of_face.direction = gp_Dir(x, y, z).Transformed(to_body[number]);
+    chains[number] = chains_of(faces[number], of_face);
   }
 
   LabelledPart part;
@@ -304,6 +316,7 @@ LabelledPart split_faces(const std::vector<PlacedBody>& bodies, const StepLabels
       for (const double tolerance : {labels.tolerance, 1e-3 * labels.tolerance}) {
         try {
           pieces[number] = pieces_of(forward, of_face, cuts, tolerance);
+          if (!has_label(pieces[number], labels.of_face[number])) pieces[number].clear();
         } catch (const Standard_Failure&) {
           pieces[number].clear();
         }
@@ -311,7 +324,18 @@ LabelledPart split_faces(const std::vector<PlacedBody>& bodies, const StepLabels
       }
       if (pieces[number].empty()) failed.insert(number);
     }
-    for (const std::uint32_t number : failed) again = chains.erase(number) > 0 || again;
+    for (auto at = failed.begin(); at != failed.end();) {
+      FaceBorders& of_face = borders[*at];
+      if (of_face.direction) {
+        of_face.direction.reset();  // with borders on the facets, as they were found
+        chains[*at] = chains_of(faces[*at], of_face);
+        at = failed.erase(at);
+        again = true;
+      } else {
+        again = chains.erase(*at) > 0 || again;
+        ++at;
+      }
+    }
     if (again) continue;
     const Handle(BRepTools_ReShape) shapes = new BRepTools_ReShape;
     cuts.replace_in(*shapes);
@@ -330,8 +354,8 @@ LabelledPart split_faces(const std::vector<PlacedBody>& bodies, const StepLabels
           for (const LabelledFace& piece : found->second) part.faces.push_back(piece);
         } else {
           const TopoDS_Shape face = shapes->Apply(faces[number]);
-          part.faces.push_back(
-              {TopoDS::Face(face), number < labels.of_face.size() ? labels.of_face[number] : k_none});
+          const std::uint32_t label = number < labels.of_face.size() ? labels.of_face[number] : k_none;
+          part.faces.push_back({TopoDS::Face(face), label, label == k_none ? 0.0 : area_of(face)});
         }
       }
       BRepTools::Clean(whole);

@@ -1,5 +1,5 @@
-// moldlight-step: reads one STEP file for moldlight from descriptor 4 and writes the facets to descriptor 3.
-// Not meant to be run by hand.
+// moldlight-step: reads one STEP file for moldlight from descriptor 4 and writes the facets to descriptor 3,
+// then, if it stays, the part as the labels say that come to descriptor 5. Not meant to be run by hand.
 #include <algorithm>
 #include <array>
 #include <csignal>
@@ -8,6 +8,7 @@
 #include <exception>
 #include <istream>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -80,15 +81,20 @@ std::string failed(const std::string& sentence) {
   return result.to_bytes();
 }
 
-/// Ends the program; tidying up OpenCASCADE's tables takes time and serves nobody.
-[[noreturn]] void hand_back(const std::string& bytes) {
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t written =
-        ::write(moldlight::k_step_result_descriptor, bytes.data() + done, bytes.size() - done);
-    if (written <= 0) ::_exit(1);
-    done += static_cast<std::size_t>(written);
+bool written(const void* bytes, std::size_t size) {
+  for (std::size_t done = 0; done < size;) {
+    const ssize_t now =
+        ::write(moldlight::k_step_result_descriptor, static_cast<const char*>(bytes) + done, size - done);
+    if (now <= 0) return false;
+    done += static_cast<std::size_t>(now);
   }
-  ::_exit(0);
+  return true;
+}
+
+/// How many bytes, and the bytes. Ends the program where nobody takes them.
+void hand_back(const std::string& bytes) {
+  const std::uint64_t size = bytes.size();
+  if (!written(&size, sizeof size) || !written(bytes.data(), bytes.size())) ::_exit(1);
 }
 
 /// Made before memory can be short.
@@ -98,7 +104,10 @@ const std::string& no_memory_left() {
   return bytes;
 }
 
-[[noreturn]] void end_without_memory() { hand_back(no_memory_left()); }
+[[noreturn]] void end_without_memory() {
+  hand_back(no_memory_left());
+  ::_exit(0);
+}
 
 /// The part file for those who open it by name.
 std::FILE* iges_file = nullptr;
@@ -113,32 +122,34 @@ std::string all_of(int descriptor) {
 
 struct Task {
   moldlight::step::TessellationSettings settings;
-  bool is_iges = false, writes = false;
+  bool is_iges = false, stays = false;
 };
 
-/// The bytes of a StepResult, or of a StepWritten.
-std::string done(const Task& task) {
+/// What `make` gives as bytes, or what went wrong; `failure` is said of OpenCASCADE, in two halves.
+template <typename Make>
+std::string answer(const Make& make, const std::array<const char*, 2>& failure) {
+  std::string bytes;
   try {
-    __gnu_cxx::stdio_filebuf<char> buffer(moldlight::k_step_file_descriptor, std::ios::in, k_buffer_bytes);
-    std::istream file(&buffer);
-    moldlight::step::prepare();
-    if (task.is_iges) iges_file = ::fdopen(moldlight::k_step_file_descriptor, "r");
-    if (const std::string fault = moldlight::step::give_up_rights(); !fault.empty()) return failed(fault);
-    const moldlight::step::CadPart part =
-        task.is_iges ? moldlight::step::read_iges() : moldlight::step::read_step(file);
-    if (!task.writes) return moldlight::step::tessellate(part, task.settings).to_bytes();
-    moldlight::step::cut_into_triangles(part, task.settings);
-    const auto labels = moldlight::StepLabels::from_bytes(all_of(moldlight::k_step_labels_descriptor));
-    return moldlight::step::write_labelled(part, labels).to_bytes();
+    bytes = make();
   } catch (const Standard_OutOfMemory&) {
     end_without_memory();
-  } catch (const Standard_Failure& failure) {
-    return failed(
-        std::string(task.writes ? "cannot be split by OpenCASCADE (" : "cannot be read by OpenCASCADE (") +
-        failure.DynamicType()->Name() + (task.writes ? "); use --mesh" : "); export the part again"));
+  } catch (const Standard_Failure& failed_there) {
+    bytes = failed(failure[0] + std::string(failed_there.DynamicType()->Name()) + failure[1]);
   } catch (const std::exception& error) {
-    return failed(error.what());
+    bytes = failed(error.what());
   }
+  if (memory_ran_short()) end_without_memory();
+  return bytes;
+}
+
+moldlight::step::CadPart read(const Task& task) {
+  __gnu_cxx::stdio_filebuf<char> buffer(moldlight::k_step_file_descriptor, std::ios::in, k_buffer_bytes);
+  std::istream file(&buffer);
+  moldlight::step::prepare();
+  if (task.is_iges) iges_file = ::fdopen(moldlight::k_step_file_descriptor, "r");
+  if (const std::string fault = moldlight::step::give_up_rights(); !fault.empty())
+    throw std::runtime_error(fault);
+  return task.is_iges ? moldlight::step::read_iges() : moldlight::step::read_step(file);
 }
 
 /// True where nobody is left to read the result, as after an interrupt just before the call of prctl.
@@ -158,8 +169,9 @@ extern "C" std::FILE* fopen(const char* name, const char* mode) {
 }
 
 /// Arguments: linear deflection, angular deflection in degrees, facet limit, memory limit in bytes, "STEP" or
-/// "IGES", "read" or "write". The file is open as k_step_file_descriptor, and to write as it says,
-/// k_step_labels_descriptor.
+/// "IGES", "read" or "stay". The file is open as k_step_file_descriptor, and if it stays, labels come to
+/// k_step_labels_descriptor. Ends without tidying up OpenCASCADE's tables, which takes time and serves
+/// nobody.
 int main(int argc, char** argv) {
   if (argc != 7) return 2;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -173,8 +185,20 @@ int main(int argc, char** argv) {
   task.settings.angular_deflection_deg = std::strtod(argv[2], nullptr);
   task.settings.max_facets = std::strtoull(argv[3], nullptr, 10);
   task.is_iges = std::string_view(argv[5]) == "IGES";
-  task.writes = std::string_view(argv[6]) == "write";
-  const std::string result = done(task);
-  if (memory_ran_short()) end_without_memory();
-  hand_back(result);
+  task.stays = std::string_view(argv[6]) == "stay";
+  moldlight::step::CadPart part;
+  hand_back(answer(
+      [&] {
+        part = read(task);
+        return moldlight::step::tessellate(part, task.settings).to_bytes();
+      },
+      {"cannot be read by OpenCASCADE (", "); export the part again"}));
+  const std::string labels = task.stays ? all_of(moldlight::k_step_labels_descriptor) : std::string();
+  if (labels.empty()) ::_exit(0);
+  hand_back(answer(
+      [&] {
+        return moldlight::step::write_labelled(part, moldlight::StepLabels::from_bytes(labels)).to_bytes();
+      },
+      {"cannot be split by OpenCASCADE (", "); use --mesh"}));
+  ::_exit(0);
 }

@@ -286,6 +286,8 @@ StepWritten write_labelled(const CadPart& part, const StepLabels& labels) {
   if (!text_writer.Print(out)) throw std::runtime_error("cannot be written by OpenCASCADE as STEP");
   StepWritten result;
   result.failed_faces = std::move(labelled.failed_faces);
+  result.areas.assign(labels.names.size(), 0.0);
+  for (const LabelledFace& face : labelled.faces) result.areas.at(face.label) += face.area;
   result.file = std::move(out).str();
   return result;
 }

@@ -1,9 +1,11 @@
 // The part's own faces in a STEP file, split, named and coloured, as OpenCASCADE reads them again; and IGES
 // beside STEP of the same part.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -136,8 +138,8 @@ TopoDS_Shape rounded_block() {
 struct Case {
   std::string name;
   TopoDS_Shape (*make)();
-  /// Error of the areas by region, as share of the surface: of planes that of rounding, of bent faces that of
-  /// the facets, on which the regions are found.
+  /// By which facets' areas by region differ from those of exact faces, as share of the surface: of planes by
+  /// rounding, of bent faces by a row of facets.
   double area_share = 1e-6;
   std::size_t least_split = 0;
 };
@@ -152,7 +154,8 @@ void expect_part(const std::string& part, const std::string& direction, double a
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json report = Json::parse(test::file_bytes(json));
   const Json& step = report.at("step");
-  EXPECT_EQ(step.at("failed_faces").size(), 0u) << step;
+  EXPECT_LT(step.at("failed_area").get<double>(), 1e-4 * report.at("areas").at("total").get<double>())
+      << step;
   EXPECT_GE(step.at("split_faces").get<std::size_t>(), least_split);
   const Read before = read_again(part), after = read_again(out);
   EXPECT_TRUE(after.valid);
@@ -163,8 +166,13 @@ void expect_part(const std::string& part, const std::string& direction, double a
   for (const Region region : k_regions) {
     const std::string name(region_name(region));
     const double there = after.by_name.contains(name) ? after.by_name.at(name) : 0.0;
-    EXPECT_NEAR(there, unit * report.at("areas").at(name).get<double>(),
-                area_share * before.area + 1.01 * unit * step.at("moved_area").get<double>())
+    EXPECT_NEAR(there, unit * step.at("areas").at(name).get<double>(),
+                std::max(1e-6, same_share) * before.area)
+        << name;
+    const double facets = unit * step.at("facet_areas").at(name).get<double>();
+    EXPECT_NEAR(there, facets, area_share * before.area) << name;
+    EXPECT_NEAR(facets, unit * report.at("areas").at(name).get<double>(),
+                1e-9 * before.area + 1.01 * unit * step.at("moved_area").get<double>())
         << name;
     if (!after.colours.contains(name)) continue;
     const Colour colour = region_colour(region, Palette::paper);
@@ -203,6 +211,28 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"plate_with_cross_holes", plate_with_cross_holes, 2e-2, 0},
                     Case{"rounded_block", rounded_block, 2e-2, 2}),
     [](const auto& tested) { return tested.param.name; });
+
+/// Of half a cylinder that lies on the plane z = 0, what the core forms is known.
+TEST(StepOutputOfContours, HasTheBorderOnTheFaceItself) {
+  constexpr double k_pi = std::numbers::pi, k_across = 0.07, k_radius = 12.0, k_length = 40.0;
+  const double core = k_radius * k_length * (k_pi - std::atan(k_across)) + 0.5 * k_pi * k_radius * k_radius;
+  const test::ScratchFolder folder;
+  const std::string part = folder.file("part.step"), out = folder.file("out.step"),
+                    json = folder.file("out.json");
+  be_silent();
+  STEPControl_Writer writer;
+  const TopoDS_Shape shape =
+      cut(cylinder(k_radius, k_length, {0, 0, 0}, {1, 0, 0}), box({-1, -20, -20}, {50, 20, 0}));
+  writer.Transfer(shape, STEPControl_AsIs);
+  ASSERT_EQ(writer.Write(part.c_str()), IFSelect_RetDone);
+  const auto run = test::run_moldlight({"classify", part, "--direction", "0.21,0.07,1", "--tau", "0",
+                                        "--step", out, "--json", json, "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(read_again(out).valid);
+  const Json step = Json::parse(test::file_bytes(json)).at("step");
+  EXPECT_NEAR(step.at("areas").at("core").get<double>(), core, 1e-6 * area_of(shape));
+  EXPECT_GT(std::abs(step.at("facet_areas").at("core").get<double>() - core), 1e-4 * area_of(shape));
+}
 
 /// FreeCAD 0.20 ends at several products that stand beside each other.
 TEST(StepOutputOfMolds, HasThePartingLineInTheProductOfThePart) {
@@ -318,8 +348,9 @@ TEST_F(StepFlag, LeavesNothingHalfWritten) {
                                                       {"echo nonsense >&3", "breaks"},
                                                       {"exec cat /dev/zero >&3", "breaks"}};
   for (const auto& [end, words] : ends) {
-    const fs::path helper = folder_.write("moldlight-step", "#!/bin/sh\n[ \"$6\" = read ] && exec '" +
-                                                                real.string() + "' \"$@\"\n" + end + "\n");
+    const fs::path helper = folder_.write(
+        "moldlight-step", "#!/bin/sh\n'" + real.string() +
+                              "' \"$1\" \"$2\" \"$3\" \"$4\" \"$5\" read\ncat <&5 >/dev/null\n" + end + "\n");
     fs::permissions(helper, fs::perms::owner_all);
     const auto run =
         test::Process({program.string(), "classify", part_, "--direction", "z", "--step", out_}, {}).finish();
