@@ -78,7 +78,7 @@ void stretch(const PartModel& model, std::span<const glm::dvec3> directions,
   for (std::size_t k = 0; k < measured.size(); ++k)
     for (const std::size_t polygon : measured[k].polygons)
       wishes.stretched_by[left[polygon].facet] = result.stretches[k].direction;
-  std::erase_if(result.stretches, [&](const Stretch& one) {
+  std::erase_if(result.stretches, [&](const StretchedUndercut& one) {
     return one.depth.value_or(INFINITY) < k_shallow * model.frame.diagonal;
   });
 }

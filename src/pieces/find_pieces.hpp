@@ -36,7 +36,7 @@ struct PiecesResult {
   double left_area = 0.0;                        // exact
   double unreachable_area = 0.0;                 // of it, what no candidate releases; by samples
   std::vector<LeftPlace> places;                 // of what is left, the largest first
-  std::vector<Stretch> stretches;                // of a flexible mold, but for shallow ones
+  std::vector<StretchedUndercut> stretches;      // of a flexible mold, but for shallow ones
   std::optional<std::vector<std::size_t>> cuts;  // of each piece of it, see locked_loops()
   std::size_t lower_bound = 0;    // fewer directions do not do, whatever they are; for the samples
   std::size_t proof_samples = 0;  // for which that holds

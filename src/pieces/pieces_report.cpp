@@ -59,7 +59,7 @@ Json settings_json(const PiecesResult& result, double diagonal) {
 std::string stretch_sentences(const PartModel& model, const PiecesResult& result) {
   std::size_t enclosed = 0, cuts = 0;
   double most = 0.0;
-  for (const Stretch& stretch : result.stretches) {
+  for (const StretchedUndercut& stretch : result.stretches) {
     enclosed += stretch.depth || stretch.neck ? 0 : 1;
     if (stretch.neck) most = std::max(most, stretch.neck->strain());
   }

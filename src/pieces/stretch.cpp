@@ -346,10 +346,10 @@ std::optional<double> depth_at(const PartModel& model, const SurfaceSample& samp
 
 }  // namespace
 
-std::vector<Stretch> stretches(const PartModel& model, std::span<const glm::dvec3> directions,
-                               std::span<const LeftPolygon> left, std::span<const LeftPlace> places,
-                               const Progress& progress) {
-  std::vector<Stretch> found(places.size());
+std::vector<StretchedUndercut> stretches(const PartModel& model, std::span<const glm::dvec3> directions,
+                                         std::span<const LeftPolygon> left, std::span<const LeftPlace> places,
+                                         const Progress& progress) {
+  std::vector<StretchedUndercut> found(places.size());
   std::vector<std::tuple<double, double>> best(places.size(), {k_infinite, k_infinite});
   std::vector<std::vector<SurfaceSample>> samples;
   for (const LeftPlace& place : places) {
@@ -362,7 +362,8 @@ std::vector<Stretch> stretches(const PartModel& model, std::span<const glm::dvec
     const Sections sections(model, directions[d], progress);
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t k) {
       if (progress.cancelled()) return;
-      Stretch stretch{.place = k, .direction = d, .depth = {}, .neck = sections.neck(left, places[k])};
+      StretchedUndercut stretch{
+          .place = k, .direction = d, .depth = {}, .neck = sections.neck(left, places[k])};
       std::size_t asked = 0, free = 0;
       for (const SurfaceSample& sample : samples[k]) {
         const glm::dvec3& normal = model.geometry.normals[sample.facet];
@@ -380,7 +381,7 @@ std::vector<Stretch> stretches(const PartModel& model, std::span<const glm::dvec
     });
     if (progress.cancelled()) throw Cancelled();
   }
-  for (Stretch& stretch : found)
+  for (StretchedUndercut& stretch : found)
     if (stretch.neck && !(stretch.neck->strain() < k_infinite))
       stretch = {.place = stretch.place, .direction = stretch.direction};
   return found;

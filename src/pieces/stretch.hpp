@@ -22,7 +22,7 @@ struct Neck {
 };
 
 /// An undercut that the directions leave, and the piece that gives least to release it.
-struct Stretch {
+struct StretchedUndercut {
   std::size_t place = 0;             // number of it among the places
   std::uint32_t direction = 0;       // number of it
   std::optional<double> depth = {};  // behind its lip, across the pull; none where nothing leads past it
@@ -35,8 +35,10 @@ inline constexpr double k_shallow = 2e-3;
 /// For each of the places, at most so many as `left_places` has, what the best of the directions asks for.
 /// Depths are those of 64 samples; sections lie beside 96 of the heights of the part's vertices at most, all
 /// of them where there are no more. Throws Cancelled.
-[[nodiscard]] std::vector<Stretch> stretches(const PartModel& model, std::span<const glm::dvec3> directions,
-                                             std::span<const LeftPolygon> left,
-                                             std::span<const LeftPlace> places, const Progress& progress);
+[[nodiscard]] std::vector<StretchedUndercut> stretches(const PartModel& model,
+                                                       std::span<const glm::dvec3> directions,
+                                                       std::span<const LeftPolygon> left,
+                                                       std::span<const LeftPlace> places,
+                                                       const Progress& progress);
 
 }  // namespace moldlight

@@ -61,7 +61,7 @@ TEST(Stretch, AMushroomsNeckIsItsStem) {
   const PiecesResult result = flexible_along_z(mushroom());
   EXPECT_EQ(pieces_state(result), "stretched");
   ASSERT_EQ(result.stretches.size(), 1U);
-  const Stretch& stretch = result.stretches[0];
+  const StretchedUndercut& stretch = result.stretches[0];
   EXPECT_EQ(stretch.direction, 0U);  // over the cap; the plate is wider
   ASSERT_TRUE(stretch.neck && stretch.depth);
   EXPECT_NEAR(stretch.neck->perimeter, perimeter(5), 1e-4);
