@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
@@ -81,6 +82,29 @@ void stretch(const PartModel& model, std::span<const glm::dvec3> directions,
   std::erase_if(result.stretches, [&](const StretchedUndercut& one) {
     return one.depth.value_or(INFINITY) < k_shallow * model.frame.diagonal;
   });
+}
+
+/// What each piece forms, but for specks that it does not release: strips of them would close loops that no
+/// piece has.
+std::vector<std::uint32_t> held_by(const PartModel& model, const PiecesResult& result,
+                                   const SurfaceWishes& wishes) {
+  std::vector<std::uint32_t> held = result.formed.formed_by;
+  const double upright = std::sin(glm::radians(result.query.tau_deg));
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const FacetIndex facet = result.formed.mesh.pieces[k].facet;
+    const std::uint32_t by = held[k];
+    if (by >= result.count() || SurfaceWishes::of(wishes.stretched_by, facet) == by) continue;
+    const glm::dvec3 &normal = model.geometry.normals[facet], &direction = result.directions[by].direction;
+    const double sine = glm::dot(normal, direction);
+    glm::vec3 point = model.frame.to_unit(result.formed.mesh.middle(k));
+    if (std::abs(sine) <= upright) point = lateral_point(point, normal, {direction, result.query.lateral});
+    const bool blocked = std::abs(sine) <= upright
+                             ? model.rays().first_hit(point, glm::vec3(direction), false).has_value()
+                             : sine < 0.0 || model.rays().surface_point_blocked(point, glm::vec3(normal),
+                                                                                glm::vec3(direction));
+    if (blocked) held[k] = static_cast<std::uint32_t>(result.count());
+  }
+  return held;
 }
 
 /// Throws UsageError for faces and pieces that there are not.
@@ -170,7 +194,8 @@ PiecesResult find_pieces(const PartModel& model, const MethodSettings& method, c
     if (result.flexible()) stretch(model, directions, chosen.left, progress, result, wishes);
     result.formed = form_surface(model, result.query, directions, progress, wishes);
     if (result.flexible())
-      result.cuts = locked_loops(result.formed.mesh, result.formed.formed_by, result.count(), progress);
+      result.cuts = locked_loops(result.formed.mesh, model.geometry.normals, held_by(model, result, wishes),
+                                 result.count(), progress);
     for (const FormedPatch& patch : result.formed.patches) {
       result.directions[patch.direction].area += patch.area;
       ++result.directions[patch.direction].components;

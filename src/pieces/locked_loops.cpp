@@ -17,6 +17,9 @@ namespace {
 constexpr std::uint32_t k_no_edge = ~0U;
 /// Pairs of segments that are looked at: some seconds of one core.
 constexpr double k_most_pairs_of_segments = 2e9;
+/// How far cycles are moved off the surface, in diagonals of the mesh: more than the needles that splitting
+/// leaves are wide, and less than walls are thick.
+constexpr double k_off = 1e-6;
 /// No direction of any mesh.
 const glm::dvec3 k_viewed = glm::normalize(glm::dvec3(0.5377, 0.3161, 0.7817));
 
@@ -85,16 +88,35 @@ using Cycle = std::vector<Step>;
 
 class LoopFinder {
  public:
-  LoopFinder(const SplitMesh& mesh, std::span<const std::uint32_t> formed_by)
+  LoopFinder(const SplitMesh& mesh, std::span<const glm::dvec3> normals,
+             std::span<const std::uint32_t> formed_by)
       : mesh_(mesh), formed_by_(formed_by), edges_(piece_edges(mesh)) {
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), k_viewed));
     const glm::dvec3 up = glm::cross(k_viewed, right);
     const auto seen = [&](const glm::dvec3& p) {
       return glm::dvec3(glm::dot(p, right), glm::dot(p, up), glm::dot(p, k_viewed));
     };
-    for (const glm::dvec3& vertex : mesh.vertices) corners_.push_back(seen(vertex));
-    for (std::size_t piece = 0; piece < mesh.pieces.size(); ++piece)
-      middles_.push_back(seen(mesh.middle(piece)));
+    Bounds box;
+    for (const glm::dvec3& vertex : mesh.vertices) box.add(vertex);
+    const double off = k_off * box.diagonal();
+    const auto moved = [&](const glm::dvec3& point, const glm::dvec3& normal, double by) {
+      const double length = glm::length(normal);
+      return seen(length > 0.0 ? point + by / length * normal : point);
+    };
+    const auto normal_of = [&](PieceIndex piece) { return normals[mesh.pieces[piece].facet]; };
+    std::vector<glm::dvec3> outward(mesh.vertices.size(), glm::dvec3(0.0));
+    for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece) {
+      const double area = glm::length(twice_piece_area(mesh, piece));
+      for (const VertexIndex corner : mesh.pieces[piece].corners) outward[corner] += area * normal_of(piece);
+      middles_.push_back(moved(mesh.middle(piece), normal_of(piece), -off));
+    }
+    for (std::size_t k = 0; k < mesh.vertices.size(); ++k)
+      corners_.push_back(moved(mesh.vertices[k], outward[k], off));
+    for (const PieceEdge& edge : edges_.edges) {
+      const glm::dvec3 across = edge.right == k_no_piece ? glm::dvec3(0.0) : normal_of(edge.right);
+      passed_.push_back(moved(0.5 * (mesh.vertices[edge.from] + mesh.vertices[edge.to]),
+                              normal_of(edge.left) + across, -off));
+    }
   }
 
   [[nodiscard]] bool closed() const {
@@ -117,7 +139,8 @@ class LoopFinder {
   const SplitMesh& mesh_;
   std::span<const std::uint32_t> formed_by_;
   PieceEdges edges_;
-  std::vector<glm::dvec3> corners_, middles_;  // as seen along k_viewed
+  // As seen along k_viewed: corners outside of the solid, middles of pieces and of edges inside.
+  std::vector<glm::dvec3> corners_, middles_, passed_;
 };
 
 LoopFinder::Basis LoopFinder::basis(const auto& counts) const {
@@ -177,7 +200,7 @@ std::vector<Cycle> LoopFinder::across() const {
 
 double turn(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.y - a.y * b.x; }
 
-/// Where `a` runs over `b` as seen: 1 or -1 by the sense, else 0. On the surface `a` is the outer one.
+/// Of the crossings as seen those where the first runs over the second, by their sense.
 int LoopFinder::linking(const Cycle& along, const Cycle& across) const {
   int sum = 0;
   for (const Step& over : along) {
@@ -190,15 +213,7 @@ int LoopFinder::linking(const Cycle& along, const Cycle& across) const {
       const PieceEdge& crossed = edges_.edges[under.edge];
       const glm::dvec3 &first = middles_[under.forward ? crossed.left : crossed.right],
                        &second = middles_[under.forward ? crossed.right : crossed.left];
-      if (under.edge == over.edge) {
-        const double before = turn(way, first - from), after = turn(way, second - from);
-        if ((before > 0.0) == (after > 0.0)) continue;
-        // Both facets are seen from outside, or neither.
-        const bool seen = (before > 0.0) == (under.forward == over.forward);
-        if (seen) sum += after > before ? 1 : -1;
-        continue;
-      }
-      const glm::dvec3 passed = 0.5 * (corners_[crossed.from] + corners_[crossed.to]);
+      const glm::dvec3& passed = passed_[under.edge];
       for (const auto& [start, end] : {std::pair(first, passed), std::pair(passed, second)}) {
         if (std::max(start.x, end.x) < low || std::min(start.x, end.x) > high ||
             std::min(start.z, end.z) > top)
@@ -247,9 +262,10 @@ std::size_t rank_of(std::vector<std::vector<std::int64_t>> rows) {
 }  // namespace
 
 std::optional<std::vector<std::size_t>> locked_loops(const SplitMesh& mesh,
+                                                     std::span<const glm::dvec3> normals,
                                                      std::span<const std::uint32_t> formed_by,
                                                      std::size_t count, const Progress& progress) {
-  const LoopFinder finder(mesh, formed_by);
+  const LoopFinder finder(mesh, normals, formed_by);
   if (!finder.closed()) return std::nullopt;
   const std::vector<Cycle> inside = finder.across();
   const auto steps = [](const std::vector<Cycle>& cycles) {

@@ -13,9 +13,11 @@
 namespace moldlight {
 
 /// For each of `count` pieces of a mold how many independent loops of what it forms, pushed out of the part,
-/// link with loops inside it. `formed_by` has the piece of each piece of the mesh, which must be closed.
+/// link with loops inside it. `formed_by` has the piece of each piece of the mesh, which must be closed;
+/// `normals` those of its source facets.
 /// Nothing where the mesh is open, or has so many tunnels that this would take long. Throws Cancelled.
 [[nodiscard]] std::optional<std::vector<std::size_t>> locked_loops(const SplitMesh& mesh,
+                                                                   std::span<const glm::dvec3> normals,
                                                                    std::span<const std::uint32_t> formed_by,
                                                                    std::size_t count,
                                                                    const Progress& progress);

@@ -179,6 +179,13 @@ TEST(Stretch, CrossingHolesAskForACutWhereTheyRunAcross) {
   EXPECT_EQ(cuts_of(flexible(*model, {block.direction, -block.direction})), 1U);
 }
 
+TEST(Stretch, WhatRigidHalvesReleaseAsksForNoCut) {
+  for (const test::Shape& shape : {test::plate_with_through_hole({}), test::ring({}), test::l_bracket({})}) {
+    const auto model = test::model_of(shape.mesh);
+    EXPECT_EQ(cuts_of(flexible(*model, {shape.direction, -shape.direction})), 0U) << shape.name;
+  }
+}
+
 TEST(Stretch, RigidMoldsHaveNone) {
   PiecesSettings settings{.most = 2, .fixed = {{0, 0, 1}, {0, 0, -1}}};
   const auto model = test::model_of(mushroom());
