@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace moldlight {
@@ -190,27 +191,68 @@ bool leaves_enough(const CoverTask& task, const BitSet& left) {
                              [&](const SampleGroup& group) { return count_in(group, left) <= group.spare; });
 }
 
+namespace {
+
+/// The one of least liking among those that reach about as much as any.
+std::size_t best_column(const CoverTask& task, const BitSet& left,
+                        const std::function<int(std::size_t)>& liking) {
+  constexpr double k_as_much = 0.9;
+  std::vector<std::size_t> gains(task.columns.size(), 0);
+  for (std::size_t c = 0; c < gains.size(); ++c) gains[c] = left.count_with(task.columns[c]);
+  const std::size_t most = gains.empty() ? 0 : std::ranges::max(gains);
+  std::size_t best = gains.size();
+  for (std::size_t c = 0; most > 0 && c < gains.size(); ++c) {
+    if (static_cast<double>(gains[c]) < k_as_much * static_cast<double>(most)) continue;
+    if (best == gains.size() ||
+        std::pair(liking(c), most - gains[c]) < std::pair(liking(best), most - gains[best]))
+      best = c;
+  }
+  return best;
+}
+
+/// The two that reach most together, of equal ones those of least liking; none where there are too many.
+std::vector<std::size_t> best_pair(const CoverTask& task, const BitSet& left,
+                                   const std::function<int(std::size_t)>& liking) {
+  constexpr std::size_t k_most_columns = 1500;
+  const std::size_t count = task.columns.size();
+  if (count > k_most_columns) return {};
+  std::vector<std::size_t> best;
+  std::pair<std::size_t, int> least{left.count(), 0};
+  for (std::size_t one = 0; one < count; ++one) {
+    BitSet rest = left;
+    rest.remove(task.columns[one]);
+    const std::size_t beside_one = rest.count();
+    for (std::size_t other = one + 1; other < count; ++other) {
+      const std::pair its(beside_one - rest.count_with(task.columns[other]), liking(one) + liking(other));
+      if (its >= least) continue;
+      least = its;
+      best = {one, other};
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
 DirectionCover greedy_cover(const CoverTask& task, const CoverChoice& choice,
                             const std::function<int(std::size_t)>& liking) {
-  constexpr double k_as_much = 0.9;
-  DirectionCover cover{.columns = choice.forced, .found = true, .complete = false};
-  BitSet left = left_by(task, choice.forced);
-  while (cover.columns.size() < choice.most) {
-    std::vector<std::size_t> gains(task.columns.size(), 0);
-    for (std::size_t c = 0; c < gains.size(); ++c) gains[c] = left.count_with(task.columns[c]);
-    const std::size_t most = gains.empty() ? 0 : std::ranges::max(gains);
-    if (most == 0) break;
-    std::size_t best = gains.size();
-    for (std::size_t c = 0; c < gains.size(); ++c) {
-      if (static_cast<double>(gains[c]) < k_as_much * static_cast<double>(most)) continue;
-      if (best == gains.size() ||
-          std::pair(liking(c), most - gains[c]) < std::pair(liking(best), most - gains[best]))
-        best = c;
+  std::optional<std::pair<std::size_t, std::vector<std::size_t>>> best;
+  for (const bool by_pairs : {false, true}) {
+    std::vector<std::size_t> columns = choice.forced;
+    BitSet left = left_by(task, columns);
+    while (columns.size() < choice.most) {
+      std::vector<std::size_t> next;
+      if (by_pairs && columns.size() + 2 <= choice.most) next = best_pair(task, left, liking);
+      if (next.empty()) next = {best_column(task, left, liking)};
+      if (next.front() == task.columns.size()) break;
+      for (const std::size_t c : next) {
+        columns.push_back(c);
+        left.remove(task.columns[c]);
+      }
     }
-    cover.columns.push_back(best);
-    left.remove(task.columns[best]);
+    if (!best || left.count() < best->first) best = {left.count(), std::move(columns)};
   }
-  return cover;
+  return {.columns = std::move(best->second), .found = true, .complete = false};
 }
 
 }  // namespace moldlight

@@ -75,7 +75,8 @@ class CoverSearch {
 };
 
 /// Columns one after the other, until nothing more is reached or there are `most`: of those that reach nine
-/// tenths of what any does of what is left, the one of least `liking`, then that which reaches most.
+/// tenths of what any does of what is left, the one of least `liking`, then that which reaches most. Or two
+/// at a time, those that reach most together, where that leaves less.
 [[nodiscard]] DirectionCover greedy_cover(const CoverTask& task, const CoverChoice& choice,
                                           const std::function<int(std::size_t)>& liking);
 

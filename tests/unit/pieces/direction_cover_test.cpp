@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -124,6 +125,20 @@ TEST(DirectionCover, GreedyTakesTheLikedOfThoseThatDoAsWell) {
   const auto liking = [](std::size_t column) { return column == 1 ? 0 : 1; };
   const DirectionCover cover = greedy_cover(instance.task(), {.most = 1}, liking);
   EXPECT_EQ(cover.columns, std::vector<std::size_t>{1});
+}
+
+/// The one that reaches most alone is of little use beside any other.
+TEST(DirectionCover, GreedyTakesTwoThatReachMoreTogether) {
+  Instance instance;
+  instance.groups = {{.first = 0, .count = 48, .spare = 0}};
+  for (const auto& [from, to] : {std::pair(10U, 38U), std::pair(0U, 24U), std::pair(24U, 48U)}) {
+    BitSet column(48);
+    for (std::size_t k = from; k < to; ++k) column.set(k);
+    instance.columns.push_back(column);
+  }
+  const auto alike = [](std::size_t) { return 0; };
+  EXPECT_EQ(greedy_cover(instance.task(), {.most = 1}, alike).columns, std::vector<std::size_t>{0});
+  EXPECT_EQ(greedy_cover(instance.task(), {.most = 2}, alike).columns, (std::vector<std::size_t>{1, 2}));
 }
 
 TEST(DirectionCover, CanBeCancelled) {
