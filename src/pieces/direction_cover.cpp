@@ -240,6 +240,10 @@ DirectionCover greedy_cover(const CoverTask& task, const CoverChoice& choice,
   for (const bool by_pairs : {false, true}) {
     std::vector<std::size_t> columns = choice.forced;
     BitSet left = left_by(task, columns);
+    // The others stand for small places.
+    for (std::size_t k = task.groups.front().count; k < task.groups.back().first + task.groups.back().count;
+         ++k)
+      left.reset(k);
     while (columns.size() < choice.most) {
       std::vector<std::size_t> next;
       if (by_pairs && columns.size() + 2 <= choice.most) next = best_pair(task, left, liking);

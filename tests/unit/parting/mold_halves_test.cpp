@@ -100,9 +100,9 @@ TEST(MoldHalves, OfCurvedSolidsKeepTheSlope) {
 }
 
 TEST(MoldHalves, LeaveUndercutsToInserts) {
-  const test::Shape shape = test::cup({});
+  const test::Shape shape = test::cup_with_side_hole({});
   const MoldHalves halves = halves_of(model_of(shape.mesh), shape.direction, 1.0);
-  expect_certified(halves, "cup", &shape.mesh);
+  expect_certified(halves, "cup_with_side_hole", &shape.mesh);
   ASSERT_EQ(halves.inserts.size(), 1U);
   EXPECT_GT(halves.insert_volume, 0.0);
   EXPECT_EQ(halves.inserts[0].open_edges, 0U);
