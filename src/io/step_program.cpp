@@ -13,6 +13,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 
@@ -71,9 +72,16 @@ constexpr std::uint64_t k_memory_bytes_a_byte = 100;
 constexpr std::chrono::seconds k_base_time{120};
 constexpr std::uint64_t k_bytes_a_second = 50'000;
 
+/// OpenCASCADE does not survive everywhere that it gets none.
+bool has_little_memory() {
+  constexpr rlim_t k_little = rlim_t{1} << 30;
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < k_little;
+}
+
 [[noreturn]] void fail_for_signal(const ReadContext& context, int signal) {
   if (signal == SIGINT || signal == SIGTERM) throw Cancelled();  // went to both programs
-  const bool limit = signal == SIGKILL || signal == SIGXCPU;
+  const bool limit = signal == SIGKILL || signal == SIGXCPU || has_little_memory();
   context.fail("", "{} (signal {}); {} export the part as STL",
                limit ? "cannot be read within the system's limits of memory and time"
                      : "breaks the STEP reader OpenCASCADE",
