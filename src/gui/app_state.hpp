@@ -103,6 +103,7 @@ struct MoldLine : moldlight::MoldLine {
   std::string verdict = {};
   std::vector<std::vector<ViewSegment>> loops = {};  // each of the line, unit frame
   std::optional<DraftCheck> draft = {};              // at the required draft, if there is one
+  MoldFrame frame = {};                              // of its block
 };
 
 /// The halves with their certificate, and as they are drawn.

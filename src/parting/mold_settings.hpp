@@ -20,7 +20,7 @@ struct MoldSettings {
   double soft_deg = 2.0;                 // walls with less draft may go to either half, [0, 10]
   std::optional<double> parting_height;  // along d, of the part's coordinates; none: found
   std::string cosmetic;                  // "core:1,2/cavity:3": faces that each half must form
-  double planar_worth_pct = 50.0;        // [0, 1000]
+  double planar_worth_pct = 50.0;        // of the diagonal, that a planar line may cost more, [0, 1000]
   double margin = 0.0;                   // of the block around the part; unset: 15 % of the part's diagonal
   double shrink_pct = 0.0;               // of the molded part against the mold, [0, 20]
   double ramp_deg = 30.0;                // of the parting surface beside its shelf, [15, 80]

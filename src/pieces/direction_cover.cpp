@@ -236,25 +236,34 @@ std::vector<std::size_t> best_pair(const CoverTask& task, const BitSet& left,
 
 DirectionCover greedy_cover(const CoverTask& task, const CoverChoice& choice,
                             const std::function<int(std::size_t)>& liking) {
-  std::optional<std::pair<std::size_t, std::vector<std::size_t>>> best;
+  // Samples of the first group stand for the surface, the others for small places that were left once: they
+  // decide between what leaves as much of it.
+  const auto of_surface = [&](BitSet set) {
+    for (std::size_t k = 1; k < task.groups.size(); ++k)
+      for (std::size_t i = 0; i < task.groups[k].count; ++i) set.reset(task.groups[k].first + i);
+    return set;
+  };
+  std::optional<std::pair<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>>> best;
   for (const bool by_pairs : {false, true}) {
     std::vector<std::size_t> columns = choice.forced;
     BitSet left = left_by(task, columns);
-    // The others stand for small places.
-    for (std::size_t k = task.groups.front().count; k < task.groups.back().first + task.groups.back().count;
-         ++k)
-      left.reset(k);
-    while (columns.size() < choice.most) {
+    const auto next_of = [&](const BitSet& wanted) {
       std::vector<std::size_t> next;
-      if (by_pairs && columns.size() + 2 <= choice.most) next = best_pair(task, left, liking);
-      if (next.empty()) next = {best_column(task, left, liking)};
+      if (by_pairs && columns.size() + 2 <= choice.most) next = best_pair(task, wanted, liking);
+      if (next.empty()) next = {best_column(task, wanted, liking)};
+      return next;
+    };
+    while (columns.size() < choice.most) {
+      std::vector<std::size_t> next = next_of(of_surface(left));
+      if (next.front() == task.columns.size()) next = next_of(left);
       if (next.front() == task.columns.size()) break;
       for (const std::size_t c : next) {
         columns.push_back(c);
         left.remove(task.columns[c]);
       }
     }
-    if (!best || left.count() < best->first) best = {left.count(), std::move(columns)};
+    const std::pair its(of_surface(left).count(), left.count());
+    if (!best || its < best->first) best = {its, std::move(columns)};
   }
   return {.columns = std::move(best->second), .found = true, .complete = false};
 }

@@ -76,7 +76,7 @@ class CoverSearch {
 
 /// Columns one after the other, until nothing more is reached or there are `most`: of those that reach nine
 /// tenths of what any does of what is left, the one of least `liking`, then that which reaches most. Or two
-/// at a time, those that reach most together, where that leaves less. Samples of the first group count alone.
+/// at a time, those that reach most together, where that leaves less. The first group goes before the others.
 [[nodiscard]] DirectionCover greedy_cover(const CoverTask& task, const CoverChoice& choice,
                                           const std::function<int(std::size_t)>& liking);
 

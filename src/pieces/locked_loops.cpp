@@ -135,6 +135,9 @@ class LoopFinder {
     std::vector<std::uint32_t> rest;
   };
   [[nodiscard]] Basis basis(const auto& counts) const;
+  [[nodiscard]] std::vector<Cycle> closed_by(std::span<const std::uint32_t> rest, const Forest& forest,
+                                             std::uint32_t PieceEdge::*from,
+                                             std::uint32_t PieceEdge::*to) const;
 
   const SplitMesh& mesh_;
   std::span<const std::uint32_t> formed_by_;
@@ -170,32 +173,30 @@ LoopFinder::Basis LoopFinder::basis(const auto& counts) const {
   return {std::move(vertices), std::move(pieces), std::move(rest)};
 }
 
-std::vector<Cycle> LoopFinder::along(std::uint32_t by) const {
-  const Basis found = basis([&](PieceIndex piece) { return formed_by_[piece] == by; });
+/// Each edge of the rest, run over or crossed, and back through the forest. An edge goes `from` one of its
+/// two nodes `to` the other.
+std::vector<Cycle> LoopFinder::closed_by(std::span<const std::uint32_t> rest, const Forest& forest,
+                                         std::uint32_t PieceEdge::*from, std::uint32_t PieceEdge::*to) const {
   std::vector<Cycle> cycles;
-  for (const std::uint32_t last : found.rest) {
+  for (const std::uint32_t last : rest) {
     Cycle cycle = {{last, true}};
-    found.vertices.path(edges_.edges[last].to, edges_.edges[last].from,
-                        [&](std::uint32_t edge, VertexIndex from) {
-                          cycle.push_back({edge, edges_.edges[edge].from == from});
-                        });
+    forest.path(edges_.edges[last].*to, edges_.edges[last].*from,
+                [&](std::uint32_t edge, std::uint32_t node) {
+                  cycle.push_back({edge, edges_.edges[edge].*from == node});
+                });
     cycles.push_back(std::move(cycle));
   }
   return cycles;
 }
 
+std::vector<Cycle> LoopFinder::along(std::uint32_t by) const {
+  const Basis found = basis([&](PieceIndex piece) { return formed_by_[piece] == by; });
+  return closed_by(found.rest, found.vertices, &PieceEdge::from, &PieceEdge::to);
+}
+
 std::vector<Cycle> LoopFinder::across() const {
   const Basis found = basis([](PieceIndex) { return true; });
-  std::vector<Cycle> cycles;
-  for (const std::uint32_t last : found.rest) {
-    Cycle cycle = {{last, true}};
-    found.pieces.path(edges_.edges[last].right, edges_.edges[last].left,
-                      [&](std::uint32_t edge, PieceIndex from) {
-                        cycle.push_back({edge, edges_.edges[edge].left == from});
-                      });
-    cycles.push_back(std::move(cycle));
-  }
-  return cycles;
+  return closed_by(found.rest, found.pieces, &PieceEdge::left, &PieceEdge::right);
 }
 
 double turn(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.y - a.y * b.x; }

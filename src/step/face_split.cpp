@@ -188,6 +188,8 @@ LabelledPart split_faces(const std::vector<PlacedBody>& bodies, const StepLabels
       for (const double tolerance : {labels.tolerance, 1e-3 * labels.tolerance}) {
         try {
           pieces[number] = pieces_of(forward, of_face, cuts, tolerance);
+          // A border that divides nothing is beyond the outline, which facets cut short.
+          if (pieces[number].size() == 1) pieces[number].front().label = labels.of_face[number];
           if (!has_label(pieces[number], labels.of_face[number])) pieces[number].clear();
         } catch (const Standard_Failure&) {
           pieces[number].clear();

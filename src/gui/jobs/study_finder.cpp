@@ -42,6 +42,7 @@ void forget_plan(ActionsState& actions) {
 MoldLine shown_line(Study study, const Progress& progress) {
   MoldLine found{study.find<moldlight::MoldLine>(progress)};
   found.verdict = parting_verdict(found.assignment, found.line, study.model());
+  found.frame = mold_frame(study.model(), found.assignment.direction);
   const UnitFrame& frame = study.model().frame;
   for (const PartingLoop& loop : found.line.loops) {
     std::vector<ViewSegment>& segments = found.loops.emplace_back();

@@ -28,9 +28,15 @@ Bounds box_of(const std::vector<ViewSegment>& loop) {
   return box;
 }
 
+/// Of the block around the line that is known; else along the direction.
+MoldFrame frame_of(const AppState& state) {
+  const glm::dvec3& d = state.settings.direction.unit();
+  return state.mold.line && state.mold.line->frame.z == d ? state.mold.line->frame : mold_frame(d);
+}
+
 /// The part's box in the mold's axes, unit frame.
 Bounds mold_box(const AppState& state) {
-  const MoldFrame frame = mold_frame(state.settings.direction.unit());
+  const MoldFrame frame = frame_of(state);
   Bounds box;
   for (const glm::vec3& point : state.extremes) box.add(frame.to_mold(glm::dvec3(point)));
   return box;
@@ -105,7 +111,7 @@ std::array<std::string, 2> loop_lines(const AppState& state, std::size_t number)
 }
 
 std::vector<glm::vec3> block_corners(const AppState& state) {
-  const MoldFrame frame = mold_frame(state.settings.direction.unit());
+  const MoldFrame frame = frame_of(state);
   const double margin =
       block_margin(state.settings.mold, state.model->frame.diagonal) / state.model->frame.diagonal;
   std::vector<glm::vec3> corners;
@@ -130,7 +136,7 @@ std::optional<HeightHandle> height_handle(const AppState& state, const FreeArea&
   if (!looks_at_line(state) || !state.mold.line || state.dialogs.panels_hidden) return std::nullopt;
   const UnitFrame& unit = state.model->frame;
   const glm::dvec3& d = state.settings.direction.unit();
-  const MoldFrame frame = mold_frame(d);
+  const MoldFrame frame = frame_of(state);
   const Bounds box = mold_box(state);
   const double height = (parting_height(state) - glm::dot(unit.center, d)) / unit.diagonal;
   HeightHandle handle;

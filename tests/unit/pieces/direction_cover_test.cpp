@@ -141,6 +141,20 @@ TEST(DirectionCover, GreedyTakesTwoThatReachMoreTogether) {
   EXPECT_EQ(greedy_cover(instance.task(), {.most = 2}, alike).columns, (std::vector<std::size_t>{1, 2}));
 }
 
+/// Small places go after the surface, but before nothing at all.
+TEST(DirectionCover, GreedyGoesOnWithSmallPlaces) {
+  Instance instance;
+  instance.groups = {{.first = 0, .count = 8, .spare = 0}, {.first = 64, .count = 40, .spare = 0}};
+  for (const auto& [from, to] : {std::pair(0U, 8U), std::pair(64U, 104U)}) {
+    BitSet column(104);
+    for (std::size_t k = from; k < to; ++k) column.set(k);
+    instance.columns.push_back(column);
+  }
+  const auto alike = [](std::size_t) { return 0; };
+  EXPECT_EQ(greedy_cover(instance.task(), {.most = 1}, alike).columns, std::vector<std::size_t>{0});
+  EXPECT_EQ(greedy_cover(instance.task(), {.most = 2}, alike).columns, (std::vector<std::size_t>{0, 1}));
+}
+
 TEST(DirectionCover, CanBeCancelled) {
   const Instance instance = random_instance(1, 12);
   const std::vector<std::size_t> all = all_of(instance);
