@@ -15,6 +15,7 @@
 #include "actions/body_figures.hpp"
 #include "actions/chosen_action.hpp"
 #include "actions/least_set.hpp"
+#include "actions/rejected.hpp"
 #include "actions/revolved_options.hpp"
 #include "actions/sharing.hpp"
 #include "actions/side_action.hpp"
@@ -79,7 +80,7 @@ class ActionSearch::Finder {
     plan.specks = undercuts_.specks;
     add_shallow_specks(plan);
     if (detail == PlanDetail::whole && plan.unreleased_area <= most_left) {
-      keep_rejected(plan);
+      keep_rejected(model_, undercut_parts_, revolved_.rejected, plan);
       report(plan);
     } else {
       for (const Undercut& undercut : undercuts_.counted) plan.undercuts.emplace_back().undercut = undercut;
@@ -231,69 +232,6 @@ class ActionSearch::Finder {
     });
     std::ranges::stable_sort(undercut_part.rejected.begin() + known, undercut_part.rejected.end(), {},
                              &Pull::travel);
-  }
-
-  /// Whether actions of the mold that can be built release all of an undercut.
-  [[nodiscard]] static bool is_well_released(const ActionPlan& plan, std::size_t undercut) {
-    return std::ranges::find(plan.unreleased, undercut) == plan.unreleased.end() &&
-           std::ranges::all_of(plan.actions, [&](const SideAction& action) {
-             return std::ranges::find(action.undercuts, undercut) == action.undercuts.end() ||
-                    action.kind != ActionKind::insert;
-           });
-  }
-
-  /// Of what was tried for undercuts that nothing releases well: the shortest lifter without its room, then
-  /// what of each kind hits.
-  void keep_rejected(ActionPlan& plan) const {
-    std::vector<RejectedAction> hitting = std::exchange(plan.rejected, {});
-    add_lifters_without_room(plan);
-    add_thin_pins(plan);
-    std::ranges::copy_if(revolved_.rejected, std::back_inserter(plan.rejected),
-                         [&](const RejectedAction& ring) { return !is_well_released(plan, ring.undercut); });
-    for (RejectedAction& rejected : hitting) {
-      const bool known = std::ranges::any_of(plan.rejected, [&](const RejectedAction& other) {
-        return other.undercut == rejected.undercut && other.kind == rejected.kind;
-      });
-      if (!known && !is_well_released(plan, rejected.undercut)) plan.rejected.push_back(rejected);
-    }
-    std::ranges::stable_sort(plan.rejected, {}, &RejectedAction::undercut);
-  }
-
-  void add_lifters_without_room(ActionPlan& plan) const {
-    const double diagonal = model_.frame.diagonal;
-    // Of the whole undercut before one of its parts.
-    std::vector<const Pull*> first(undercuts_.counted.size(), nullptr);
-    for (const UndercutPart& undercut_part : undercut_parts_) {
-      if (!undercut_part.rejected.empty() && first[undercut_part.undercut] == nullptr)
-        first[undercut_part.undercut] = &undercut_part.rejected.front();
-    }
-    for (std::size_t undercut = 0; undercut < first.size(); ++undercut) {
-      if (first[undercut] == nullptr || is_well_released(plan, undercut)) continue;
-      const Pull& pull = *first[undercut];
-      plan.rejected.push_back({.undercut = undercut,
-                               .kind = pull.kind,
-                               .direction = pull.direction,
-                               .travel = pull.travel * diagonal,
-                               .core_side = pull.core_side,
-                               .reason = pull.lack->reason,
-                               .place = model_.frame.center + diagonal * glm::dvec3(pull.lack->at.position),
-                               .room = pull.lack->room * diagonal});
-    }
-  }
-
-  void add_thin_pins(ActionPlan& plan) const {
-    const double diagonal = model_.frame.diagonal;
-    for (const UndercutPart& undercut_part : undercut_parts_) {
-      if (!undercut_part.thin || is_well_released(plan, undercut_part.undercut)) continue;
-      const UndercutSample& at = undercut_part.samples.front();
-      plan.rejected.push_back({.undercut = undercut_part.undercut,
-                               .kind = ActionKind::slide,
-                               .direction = undercut_part.thin->axis,
-                               .reason = RejectReason::thin_pin,
-                               .place = model_.frame.center + diagonal * glm::dvec3(at.position),
-                               .room = std::numeric_limits<double>::infinity(),
-                               .width = undercut_part.thin->width * diagonal});
-    }
   }
 
   /// 1 for each undercut part that a thread or a ring releases.

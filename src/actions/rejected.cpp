@@ -1,0 +1,76 @@
+#include "actions/rejected.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace moldlight {
+
+namespace {
+
+/// Whether actions of the mold that can be built release all of an undercut.
+bool is_well_released(const ActionPlan& plan, std::size_t undercut) {
+  return std::ranges::find(plan.unreleased, undercut) == plan.unreleased.end() &&
+         std::ranges::all_of(plan.actions, [&](const SideAction& action) {
+           return std::ranges::find(action.undercuts, undercut) == action.undercuts.end() ||
+                  action.kind != ActionKind::insert;
+         });
+}
+
+void add_lifters_without_room(const PartModel& model, std::span<const UndercutPart> undercut_parts,
+                              ActionPlan& plan) {
+  const double diagonal = model.frame.diagonal;
+  std::set<std::size_t> known;  // the whole undercut comes before its parts
+  for (const UndercutPart& undercut_part : undercut_parts) {
+    if (undercut_part.rejected.empty() || !known.insert(undercut_part.undercut).second ||
+        is_well_released(plan, undercut_part.undercut))
+      continue;
+    const Pull& pull = undercut_part.rejected.front();
+    plan.rejected.push_back({.undercut = undercut_part.undercut,
+                             .kind = pull.kind,
+                             .direction = pull.direction,
+                             .travel = pull.travel * diagonal,
+                             .core_side = pull.core_side,
+                             .reason = pull.lack->reason,
+                             .place = model.frame.center + diagonal * glm::dvec3(pull.lack->at.position),
+                             .room = pull.lack->room * diagonal});
+  }
+}
+
+void add_thin_pins(const PartModel& model, std::span<const UndercutPart> undercut_parts, ActionPlan& plan) {
+  const double diagonal = model.frame.diagonal;
+  for (const UndercutPart& undercut_part : undercut_parts) {
+    if (!undercut_part.thin || is_well_released(plan, undercut_part.undercut)) continue;
+    const UndercutSample& at = undercut_part.samples.front();
+    plan.rejected.push_back({.undercut = undercut_part.undercut,
+                             .kind = ActionKind::slide,
+                             .direction = undercut_part.thin->axis,
+                             .reason = RejectReason::thin_pin,
+                             .place = model.frame.center + diagonal * glm::dvec3(at.position),
+                             .room = std::numeric_limits<double>::infinity(),
+                             .width = undercut_part.thin->width * diagonal});
+  }
+}
+
+}  // namespace
+
+void keep_rejected(const PartModel& model, std::span<const UndercutPart> undercut_parts,
+                   std::span<const RejectedAction> rings, ActionPlan& plan) {
+  std::vector<RejectedAction> hitting = std::exchange(plan.rejected, {});
+  add_lifters_without_room(model, undercut_parts, plan);
+  add_thin_pins(model, undercut_parts, plan);
+  std::ranges::copy_if(rings, std::back_inserter(plan.rejected),
+                       [&](const RejectedAction& ring) { return !is_well_released(plan, ring.undercut); });
+  for (RejectedAction& rejected : hitting) {
+    const bool known = std::ranges::any_of(plan.rejected, [&](const RejectedAction& other) {
+      return other.undercut == rejected.undercut && other.kind == rejected.kind;
+    });
+    if (!known && !is_well_released(plan, rejected.undercut)) plan.rejected.push_back(rejected);
+  }
+  std::ranges::stable_sort(plan.rejected, {}, &RejectedAction::undercut);
+}
+
+}  // namespace moldlight
