@@ -33,10 +33,8 @@ std::string height_text(const FigureStyle& style, const glm::dvec3& direction, d
 }  // namespace
 
 LineFigures line_figures(const PartingLine& line) {
-  LineFigures figures{.length = line.length,
-                      .climb = 0.0,
-                      .outer_climb = line.outer_high - line.outer_low,
-                      .steep_length = 0.0};
+  LineFigures figures{
+      .length = line.length, .climb = 0.0, .outer_climb = line.outer_climb(), .steep_length = 0.0};
   for (const PartingLoop& loop : line.loops) {
     if (loop.kind == LoopKind::action) continue;
     figures.climb += loop.climb();
@@ -68,7 +66,7 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
     steps.length += loop.steep_length;
   }
   if (outer == 0) return "No parting line: core and cavity do not meet.";
-  const double climb = line.outer_high - line.outer_low;
+  const double climb = line.outer_climb();
   std::string text = "Parting line: ", more;
   if (climb <= k_planar_share * diagonal) {
     text += "planar at " + height_text(style, assignment.direction,

@@ -5,9 +5,6 @@
 
 namespace moldlight {
 
-/// A line is planar that climbs by no more than this share of the part's diagonal.
-inline constexpr double k_planar_share = 1e-4;
-
 /// In the part's unit; of outer loops and shut-offs. The climbs of the loops are summed up.
 struct LineFigures {
   double length = 0.0, climb = 0.0;

@@ -68,6 +68,9 @@ struct EulerCheck {
   [[nodiscard]] bool accounted() const;
 };
 
+/// A line is planar that climbs by no more than this share of the part's diagonal.
+inline constexpr double k_planar_share = 1e-4;
+
 struct PartingLine {
   std::vector<PartingLoop> loops;  // outer, shut-offs, actions; the longest of each first
   EulerCheck euler;
@@ -76,6 +79,10 @@ struct PartingLine {
   double smoothed_climb = 0.0;   // and what of climbs and descents it took away
   double low = 0.0, high = 0.0;  // of outer loops and shut-offs
   double outer_low = 0.0, outer_high = 0.0;
+
+  [[nodiscard]] double outer_climb() const { return outer_high - outer_low; }
+  /// Whether its outer loops lie in one plane across the direction.
+  [[nodiscard]] bool is_planar(double diagonal) const { return outer_climb() <= k_planar_share * diagonal; }
 };
 
 [[nodiscard]] PartingLine parting_line(const Assignment& assignment);

@@ -16,6 +16,7 @@
 #include "parting/mold_files.hpp"
 #include "parting/mold_settings.hpp"
 #include "parting/part_sheets.hpp"
+#include "parting/wall_caps.hpp"
 
 namespace moldlight {
 
@@ -92,6 +93,7 @@ struct HalvesWish {
   const MeetingPlace& place;
   const std::vector<FacetWish>& assigned;
   const MoldSettings& settings;
+  const WallCaps* caps = nullptr;
 };
 
 /// The line in the mold's frame.
@@ -141,10 +143,18 @@ class Trial {
   }
 
  private:
+  [[nodiscard]] CapHeight cap_height() const {
+    if (asked_.caps == nullptr) return {};
+    return [caps = asked_.caps](FacetIndex facet, Sheet sheet, const auto& corners) {
+      return caps->height(facet, sheet, corners);
+    };
+  }
+
   /// The sheets with the parting surface between them.
   std::optional<MoldFault> make_surface(const Progress& progress) {
     const double diagonal = frame_.diagonal;
-    sheets_ = part_sheets(asked_.split, static_cast<FacetIndex>(asked_.mesh.facets.size()), frame_, attempt_);
+    sheets_ = part_sheets(asked_.split, static_cast<FacetIndex>(asked_.mesh.facets.size()), frame_, attempt_,
+                          cap_height(), capped_);
     progress.report(k_halves_stage, 0.1);
     hand_ = hand_walls(asked_.split, sheets_, asked_.assigned, attempt_);
     if (const auto at = sheets_.align_ends(attempt_.tolerance))
@@ -152,7 +162,7 @@ class Trial {
                        k_avoid_rounding, at};
     if (auto fault = residual(sheets_, diagonal)) return fault;
     sheets_.keep_volume(
-        centred_volume(asked_.mesh, asked_.model.frame.center) / (diagonal * diagonal * diagonal),
+        centred_volume(asked_.mesh, asked_.model.frame.center) / (diagonal * diagonal * diagonal) + capped_,
         k_most_restored);
     if (auto fault = overlap()) return fault;
     const double margin = block_margin(asked_.settings, diagonal) / diagonal;
@@ -343,7 +353,9 @@ class Trial {
   /// The volumes, the bodies as they will be written, and what rounding does to the halves.
   std::optional<MoldFault> certify(const Progress& progress) {
     const double scale = halves_.scale * halves_.scale * halves_.scale;
-    halves_.part_volume = scale * centred_volume(asked_.mesh, asked_.model.frame.center);
+    const double diagonal = frame_.diagonal;
+    halves_.part_volume = scale * (centred_volume(asked_.mesh, asked_.model.frame.center) +
+                                   capped_ * diagonal * diagonal * diagonal);
     halves_.upright_volume =
         halves_.part_volume - scale * centred_volume(asked_.model.part.mesh, asked_.model.frame.center);
     halves_.volume_gap = (halves_.block_volume - halves_.core.volume - halves_.cavity.volume -
@@ -406,6 +418,7 @@ class Trial {
   HandWalls hand_;
   BlockHeights block_;
   double rectangle_ = 0.0;
+  double capped_ = 0.0;  // what caps add to the part, in cubes of the diagonal
   Facets fill_;
 };
 
@@ -435,10 +448,12 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
   const std::vector<FacetWish> assigned = assigned_facets(model, settings);
   std::optional<MoldFault> first;
   std::optional<MoldHalves> best;
-  const auto try_all = [&](const ExactPart& part, const TriangleMesh& alone) {
-    const ExactSplit split =
-        exact_split(part, {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress);
-    const HalvesWish asked{split.mesh, alone, beside, model, place, assigned, settings};
+  const SheetFrame frame{halves.frame, halves.centre, model.frame.diagonal};
+  const auto try_all = [&](const ExactPart& part, const TriangleMesh& alone, const WallCaps* caps = nullptr) {
+    SplitMesh split =
+        exact_split(part, {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress).mesh;
+    if (caps != nullptr) split = caps->cut(split);
+    const HalvesWish asked{split, alone, beside, model, place, assigned, settings, caps};
     std::size_t tried = 0;
     first.reset();
     for (const SheetTolerance& attempt : k_attempts) {
@@ -457,7 +472,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
     }
   };
   // The part's mesh, with the other bodies.
-  const auto try_mesh = [&](const TriangleMesh& alone) {
+  const auto try_mesh = [&](const TriangleMesh& alone, const WallCaps* caps = nullptr) {
     TriangleMesh all = alone;
     for (const SlideBlank& blank : beside.blanks) {
       const auto number = static_cast<VertexIndex>(all.vertices.size());
@@ -468,15 +483,20 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
     }
     try_all(ExactPart(all, facet_geometry(all), beside.blanks.empty() ? model.frame : unit_frame(bounds(all)),
                       progress, model.part.effort),
-            alone);
+            alone, caps);
   };
-  if (const auto upright =
-          with_upright_walls(model.part.mesh, {halves.frame, halves.centre, model.frame.diagonal}))
-    try_mesh(*upright);
-  if (!beside.blanks.empty()) {
-    if (!best) try_mesh(model.part.mesh);
-  } else if (!best || !best->clean() || best->contact_area > 0.0) {
-    try_all(model.exact(progress), model.part.mesh);
+  const std::optional<TriangleMesh> upright = with_upright_walls(model.part.mesh, frame);
+  if (place.of != nullptr && place.of->line.is_planar(model.frame.diagonal)) {
+    const WallCaps caps(model, *place.of, frame);
+    try_mesh(upright ? *upright : model.part.mesh, &caps);
+  }
+  if (!best || !best->certified()) {
+    if (upright) try_mesh(*upright);
+    if (!beside.blanks.empty()) {
+      if (!best) try_mesh(model.part.mesh);
+    } else if (!best || !best->clean() || best->contact_area > 0.0) {
+      try_all(model.exact(progress), model.part.mesh);
+    }
   }
   if (best) {
     best->core.thinnest = thinnest_of(best->core.mesh);

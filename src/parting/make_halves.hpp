@@ -6,6 +6,7 @@
 #include "parting/loops.hpp"
 #include "parting/mold_halves.hpp"
 #include "parting/mold_settings.hpp"
+#include "parting/planar_line.hpp"
 #include "parting/slide_blank.hpp"
 
 namespace moldlight {
@@ -14,7 +15,13 @@ namespace moldlight {
 struct MeetingPlace {
   double height = 0.0;                // along the direction, in the part's coordinates
   const PartingLine* line = nullptr;  // outweighs the height where it runs over such walls
+  /// Of which the line is: walls that lean back by a hair are left to the half that it gives them to.
+  const MoldLine* of = nullptr;
 };
+
+[[nodiscard]] inline MeetingPlace meeting_place(const MoldLine& line) {
+  return {line.assignment.height, &line.line, &line};
+}
 
 /// Bodies beside the part that slides are cut from, with the block whose sides they reach.
 struct Beside {

@@ -93,7 +93,7 @@ constexpr FigureRow<MoldHalves> k_halves_figures[] = {
     {"", "Cavity half", Kind::volume, member<&MoldHalves::cavity, &MoldBody::volume>},
     {"halves/part_volume", "Part", Kind::volume, member<&MoldHalves::part_volume>},
     {"halves/upright_volume", "Added to the part", Kind::volume, member<&MoldHalves::upright_volume>,
-     "to set walls upright that lean only by the rounding of the file", details},
+     "where its walls lean back by a hair: they are set upright", details},
     {"halves/insert_volume", "", Kind::volume,
      [](const MoldHalves& h) -> Found { return h.insert_volume - h.slide_volume(); }},
     {"", "Inserts", Kind::volume,

@@ -1,6 +1,8 @@
 // The sheets of a part, from its split mesh: what is seen from above, from below, or hidden.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,10 +35,15 @@ struct SheetFrame {
   }
 };
 
+/// The height at which the part ends in place of a piece that one half sees: of this facet, with these
+/// corners; none where it is the half's own.
+using CapHeight = std::function<std::optional<double>(FacetIndex, Sheet, const std::array<glm::dvec3, 3>&)>;
+
 /// Of a mesh that is split at no draft; its facets from number `beside` on are of other bodies. Upright
-/// facets are left out; ends do not stand in columns yet.
+/// facets are left out; ends do not stand in columns yet. What the caps add to the part goes to `added`, in
+/// cubes of the diagonal.
 [[nodiscard]] Sheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& frame,
-                                 const SheetTolerance& attempt);
+                                 const SheetTolerance& attempt, const CapHeight& cap_height, double& added);
 
 /// Of the facets that a half is to form, the upright ones, and the area of others that it cannot, which lean
 /// the other way or are hidden.

@@ -7,8 +7,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "parting/line_figures.hpp"
-
 namespace moldlight {
 
 namespace {
@@ -94,9 +92,7 @@ MoldLine find_mold_line(const PartModel& model, const Query& query, const MoldSe
   MoldLine found{assign_sides(model, query, settings, progress), {}};
   found.line = parting_line(found.assignment);
   const double diagonal = model.frame.diagonal, worth = planar_worth(settings, diagonal);
-  const auto is_planar = [&](const MoldLine& line) {
-    return line.line.outer_high - line.line.outer_low <= k_planar_share * diagonal;
-  };
+  const auto is_planar = [&](const MoldLine& line) { return line.line.is_planar(diagonal); };
   if (settings.parting_height || is_planar(found)) return found;
   const auto cost_of = [&](const MoldLine& line) {
     return line.assignment.energy - (is_planar(line) ? worth : 0.0);

@@ -117,7 +117,7 @@ Asked<MoldHalves>::Inputs Asked<MoldHalves>::inputs(const Study& study) {
 }
 std::shared_ptr<const MoldHalves> Asked<MoldHalves>::find(Study& study, const Progress& progress) {
   const MoldLine& line = study.find<MoldLine>(progress);
-  return shared(make_halves(study.model(), line.assignment.direction, {line.assignment.height, &line.line},
+  return shared(make_halves(study.model(), line.assignment.direction, meeting_place(line),
                             study.questions().mold, progress));
 }
 
@@ -128,7 +128,7 @@ std::shared_ptr<const MoldPieces> Asked<MoldPieces>::find(Study& study, const Pr
   const MoldLine& line = study.find<MoldLine>(progress);
   const MoldHalves& halves = study.find<MoldHalves>(progress);
   const ActionPlan& plan = study.find<ActionPlan>(progress);
-  const MeetingPlace place{line.assignment.height, &line.line};
+  const MeetingPlace place = meeting_place(line);
   return shared(make_pieces({study.model(), halves, plan, *study.find<SplitRegions>(progress).result.split,
                              place, study.questions().mold},
                             progress));

@@ -14,6 +14,7 @@
 #include "io/mesh_writer.hpp"
 #include "parting/make_halves.hpp"
 #include "parting/mold_report.hpp"
+#include "parting/planar_line.hpp"
 #include "support/solid_builder.hpp"
 
 namespace moldlight::gui::test {
@@ -396,10 +397,9 @@ TEST_F(Mold, IsExportedAsTheCommandWritesIt) {
   ASSERT_FALSE(state().toasts.back().failure) << state().toasts.back().text;
   for (const char* name : {"core.stl", "cavity.stl", "parting-line.dxf", "parting-line.svg", "mold.json"})
     EXPECT_TRUE(fs::exists(folder / name)) << name;
-  const Assignment assignment = same_assignment();
-  const PartingLine line = parting_line(assignment);
+  const moldlight::MoldLine line = find_mold_line(*state().model, state().settings, asked(), Progress{});
   WrittenMold written = written_mold(
-      make_halves(*state().model, assignment.direction, {assignment.height, &line}, asked(), Progress{}));
+      make_halves(*state().model, line.assignment.direction, meeting_place(line), asked(), Progress{}));
   const fs::path other = folder.parent_path() / "other";
   write_mold(other.string(), {}, state().model->part.unit, written);
   for (const char* name : {"core.stl", "cavity.stl"})

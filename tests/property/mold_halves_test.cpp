@@ -17,6 +17,7 @@
 #include "parting/loops.hpp"
 #include "parting/make_halves.hpp"
 #include "parting/mold_files.hpp"
+#include "parting/planar_line.hpp"
 #include "support/exact_crossing.hpp"
 #include "support/mold_checks.hpp"
 #include "support/mold_rows.hpp"
@@ -105,11 +106,9 @@ TEST(MoldHalvesOfParts, AreWhatTheirCertificateSays) {
       const std::string name = row_name(file, d);
       ++tally.rows;
       // As the command makes them: along the parting line.
-      const Assignment assignment = assign_sides(*model, {d, {}}, {}, Progress{});
-      const PartingLine line = parting_line(assignment);
+      const MoldLine line = find_mold_line(*model, {d, {}}, {}, Progress{});
       const Stopwatch watch;
-      const MoldHalves halves =
-          make_halves(*model, d, {.height = assignment.height, .line = &line}, {}, Progress{});
+      const MoldHalves halves = make_halves(*model, d, meeting_place(line), {}, Progress{});
       tally.times_ms.push_back(watch.elapsed_ms());
       const WrittenMold& written = halves.written;
       if (!written.refusal.empty()) {

@@ -75,12 +75,11 @@ SteelRow steel_row(const PartModel& model, const glm::dvec3& direction, const st
   row.name = name;
   const double diagonal = model.frame.diagonal;
   // As the command makes them: along the parting line.
-  const auto [assignment, line] = find_mold_line(model, {direction, {}}, {}, Progress{});
-  row.line_climb = std::max(line.outer_high - line.outer_low, 0.0) / diagonal;
+  const MoldLine line = find_mold_line(model, {direction, {}}, {}, Progress{});
+  row.line_climb = std::max(line.line.outer_high - line.line.outer_low, 0.0) / diagonal;
   row.planar_line = row.line_climb <= 1e-4;
   const Stopwatch watch;
-  const MoldHalves halves =
-      make_halves(model, direction, {.height = assignment.height, .line = &line}, {}, Progress{});
+  const MoldHalves halves = make_halves(model, direction, meeting_place(line), {}, Progress{});
   row.ms = watch.elapsed_ms();
   const WrittenMold& written = halves.written;
   row.refusal = written.refusal;

@@ -1,0 +1,51 @@
+// Where walls lean back from the half that forms them, or stand out above an opening, by a hair: what would
+// be a fin of the other half is left to the part, so that the halves meet where the line runs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "classify/part_model.hpp"
+#include "parting/part_sheets.hpp"
+#include "parting/planar_line.hpp"
+
+namespace moldlight {
+
+/// CAD programs make facets of round walls that lean a little to either side, where a hole runs into them or
+/// their ends are divided otherwise. Seen along the direction such walls are no wider than twice the lateral
+/// tolerance. Beside a loop of the parting line that lies in one plane they are formed by the half that the
+/// line gives them to: from the other side the part ends at the loop's height.
+class WallCaps {
+ public:
+  WallCaps(const PartModel& model, const MoldLine& line, const SheetFrame& frame);
+
+  /// The split mesh with facets that both halves form cut at the line's height.
+  [[nodiscard]] SplitMesh cut(const SplitMesh& split) const;
+  /// As CapHeight has it, in the sheets' frame.
+  [[nodiscard]] std::optional<double> height(FacetIndex facet, Sheet sheet,
+                                             const std::array<glm::dvec3, 3>& corners) const;
+
+ private:
+  struct Piece {
+    glm::dvec2 from{0.0}, to{0.0};
+    double height = 0.0;
+  };
+  using Cell = std::pair<std::int64_t, std::int64_t>;
+  [[nodiscard]] Cell cell_of(const glm::dvec2& at) const;
+  void add(const Piece& piece);
+  [[nodiscard]] std::optional<double> height_at(const glm::dvec2& at) const;
+
+  std::vector<std::uint8_t> formers_;  // of each facet: bits of the halves
+  glm::dvec3 direction_;
+  double cut_height_ = 0.0, cut_tolerance_ = 0.0;  // along the direction, in the part's coordinates
+  double cut_at_ = 0.0;                            // in the sheets' frame
+  double reach_ = 0.0;                             // twice the lateral tolerance, in diagonals
+  std::vector<Piece> pieces_;
+  std::map<Cell, std::vector<std::uint32_t>> near_;
+};
+
+}  // namespace moldlight
