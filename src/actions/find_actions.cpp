@@ -166,18 +166,29 @@ class ActionSearch::Finder {
   /// What nothing releases whole may be released but for what needs no release.
   void set_shallow_apart() {
     const std::vector<char> revolved = revolved_atoms();
-    std::vector<std::optional<UndercutPart>> shallow(undercut_parts_.size());
+    std::vector<std::vector<UndercutPart>> shallow(undercut_parts_.size());
     for_each_atom([&](std::size_t k) {
       UndercutPart& undercut_part = undercut_parts_[k];
-      if (revolved[k] != 0 || !undercut_part.pulls.empty() || !undercut_part.wanted()) return;
-      shallow[k] =
-          taken_out(undercut_part, [&](const UndercutSample& sample) { return pulls_.is_shallow(sample); });
-      if (!shallow[k]) return;
-      shallow[k]->shallow = true;
-      find_pulls_of(undercut_part);
+      if (revolved[k] != 0 || !undercut_part.wanted()) return;
+      const auto set_apart = [&](const auto& needs_none) {
+        std::optional<UndercutPart> taken = taken_out(undercut_part, needs_none);
+        if (!taken) return;
+        taken->shallow = true;
+        shallow[k].push_back(std::move(*taken));
+        find_pulls_of(undercut_part);
+      };
+      if (undercut_part.pulls.empty())
+        set_apart([&](const UndercutSample& sample) { return pulls_.is_shallow(sample); });
+      if (!undercut_part.allows(ActionKind::slide) ||
+          std::ranges::any_of(undercut_part.pulls, [](const Pull& pull) { return is_slide(pull.kind); }))
+        return;
+      if (const auto slide = pulls_.nearly_freeing(undercut_part.samples, candidates(undercut_part)))
+        set_apart([&](const UndercutSample& sample) {
+          return pulls_.release().free_length(sample, slide->direction) != k_never;
+        });
     });
-    for (std::optional<UndercutPart>& undercut_part : shallow) {
-      if (undercut_part) undercut_parts_.push_back(std::move(*undercut_part));
+    for (std::vector<UndercutPart>& undercut_parts : shallow) {
+      for (UndercutPart& undercut_part : undercut_parts) undercut_parts_.push_back(std::move(undercut_part));
     }
   }
 

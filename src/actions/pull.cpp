@@ -494,6 +494,36 @@ std::optional<Pull> PullFinder::most_freeing(std::span<const UndercutSample> sam
   return best;
 }
 
+std::optional<Pull> PullFinder::nearly_freeing(std::span<const UndercutSample> samples,
+                                               std::span<const PullCandidate> tried) const {
+  constexpr double k_nearly_all = 0.8;
+  const double whole = area_of(samples), least = k_nearly_all * whole;
+  const auto frees = [&](const glm::dvec3& pull) {
+    if (release_.free_area(samples, pull, k_never, least) <= least) return false;
+    double left = 0.0;
+    return std::ranges::all_of(samples, [&](const UndercutSample& sample) {
+      if (release_.free_length(sample, pull) != k_never &&
+          !release_.is_nearly_free(sample, pull, least_travel_))
+        left += sample.area;
+      return left <= k_blocked_share * whole;
+    });
+  };
+  std::vector<PullCandidate> sides;
+  for (const glm::dvec3& axis : {axes_.x, -axes_.x, axes_.y, -axes_.y})
+    sides.push_back({axis, PullSource::part});
+  sides.insert(sides.end(), tried.begin(), tried.end());
+  std::optional<Pull> best;
+  for (const PullCandidate& candidate : sides) {
+    if (std::abs(elevation_deg(candidate.direction, direction_)) > settings_.slide_angle_deg ||
+        (best && is_axis(best->direction) && !is_axis(candidate.direction)) || !frees(candidate.direction))
+      continue;
+    Pull pull{.direction = candidate.direction, .source = candidate.source};
+    estimate_travel(samples, pull);
+    if (!best || pull_cost(pull, settings_.prices) < pull_cost(*best, settings_.prices)) best = pull;
+  }
+  return best;
+}
+
 std::vector<FreedPart> PullFinder::find_inserts(std::span<const UndercutSample> samples,
                                                 std::span<const PullCandidate> tried,
                                                 double whole_area) const {

@@ -139,6 +139,27 @@ bool Release::is_shallow(const UndercutSample& sample, double depth) const {
   return false;
 }
 
+bool Release::is_nearly_free(const UndercutSample& sample, const glm::dvec3& pull, double depth) const {
+  constexpr int k_turns = 16;
+  // At the tip of what forms it the steel is thinner than that.
+  const glm::vec3 off(glm::dvec3(sample.position) + k_touching * sample.normal);
+  if (const auto hit = model_.rays().first_hit(off, glm::vec3(sample.normal), true);
+      hit && static_cast<double>(hit->distance) < depth)
+    return true;
+  const MapFrame frame = map_frame(pull);
+  UndercutSample moved = sample;
+  for (int k = 0; k < k_turns; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / k_turns;
+    const glm::dvec3 aside = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
+    if (glm::dot(sample.normal, aside) < -k_least_sine || free_length(sample, aside) < depth) continue;
+    // From a little before it, so that surface which touches it is met: its own, if it slid along that.
+    moved.position = glm::vec3(glm::dvec3(sample.position) + depth * aside - k_touching * pull);
+    moved.normal = pull;
+    if (free_length(moved, pull) == k_never) return true;
+  }
+  return false;
+}
+
 double FreeLengths::of(const UndercutSample& sample) {
   const std::size_t place = place_of(sample);
   if (place == known_.size()) return release_.free_length(sample, pull_);

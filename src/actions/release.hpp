@@ -76,6 +76,8 @@ class Release {
   /// Whether it gets away from the part along the parting direction or against it after a move of `depth`
   /// across it, or is in a slit narrower than that.
   [[nodiscard]] bool is_shallow(const UndercutSample& sample, double depth) const;
+  /// Whether it would be clear along a pull, moved across it by so much.
+  [[nodiscard]] bool is_nearly_free(const UndercutSample& sample, const glm::dvec3& pull, double depth) const;
   /// Area of the samples that move at least so far; where that is certainly no more than `most`, less of it.
   [[nodiscard]] double free_area(std::span<const UndercutSample> samples, const glm::dvec3& pull,
                                  double length, double most = 0.0) const;

@@ -45,6 +45,44 @@ TEST(Dovetail, IsASlideAlongIt) {
   EXPECT_TRUE(planned.plan.unreleased.empty());
 }
 
+/// A pocket in a side, wider at its bottom by `wider` all around.
+TriangleMesh pocket(double wider) {
+  const auto mouth = [](double x, double more) {
+    return test::Loop{{x, 5.0 - more, 8.0 - more},
+                      {x, 15.0 + more, 8.0 - more},
+                      {x, 15.0 + more, 12.0 + more},
+                      {x, 5.0 - more, 12.0 + more}};
+  };
+  const glm::dvec3 low(0.0), high(20.0);
+  SolidBuilder solid;
+  solid.box(low, high, {1});
+  solid.face(test::box_face(low, high, 1), {mouth(20.0, 0.0)});
+  solid.walls(mouth(20.0, 0.0), mouth(12.0, 0.0));
+  test::Loop step = mouth(12.0, wider);
+  std::ranges::reverse(step);
+  solid.face(step, {mouth(12.0, 0.0)});
+  solid.walls(mouth(12.0, wider), mouth(10.0, wider));
+  solid.face(mouth(10.0, wider));
+  return solid.mesh();
+}
+
+TEST(PocketWiderAtItsBottom, IsASlideWhereThatIsLessThanTheLeastTravel) {
+  const Planned planned = plan_of(pocket(0.02));
+  ASSERT_EQ(actions_text(planned.plan), "1 slide");
+  const SideAction& action = planned.plan.actions.front();
+  EXPECT_NEAR(action.direction.x, 1.0, 1e-12);
+  EXPECT_NEAR(action.travel, 10.0 + k_clearance_mm, 1e-3 * planned.model->frame.diagonal);
+  EXPECT_TRUE(planned.plan.unreleased.empty());
+  EXPECT_TRUE(std::ranges::any_of(planned.plan.specks, [](const Speck& speck) {
+    return speck.of_undercut && speck.reason == SpeckReason::shallow && speck.area > 0.5;
+  }));
+}
+
+TEST(PocketWiderAtItsBottom, IsNotReleasedByASlideWhereItIsMore) {
+  const Planned planned = plan_of(pocket(0.2));
+  EXPECT_TRUE(actions_text(planned.plan) != "1 slide" || !planned.plan.unreleased.empty());
+}
+
 /// A hook that hangs from a plate: its ledge is reached from the plate's side.
 TEST(HookUnderALid, IsASlideByTheLengthOfItsLedge) {
   constexpr double k_ledge = 3.0;
