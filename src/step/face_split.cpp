@@ -12,12 +12,10 @@
 #include <BOPAlgo_BuilderFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <Poly_Triangulation.hxx>
@@ -33,6 +31,7 @@
 #include "step/border_chains.hpp"
 #include "step/border_curves.hpp"
 #include "step/cut_edges.hpp"
+#include "step/face_area.hpp"
 
 namespace moldlight::step {
 
@@ -103,7 +102,7 @@ std::vector<LabelledFace> pieces_of(const TopoDS_Face& face, const std::vector<C
       piece.label = label;
     }
     if (piece.label == k_none || !BRepCheck_Analyzer(shape).IsValid()) return {};
-    piece.area = area_of(shape);
+    piece.area = area_of(piece.face);
     area += piece.area;
     pieces.push_back(piece);
   }
@@ -124,13 +123,6 @@ bool has_label(const std::vector<LabelledFace>& pieces, std::uint32_t label) {
 }
 
 }  // namespace
-
-double area_of(const TopoDS_Shape& shape) {
-  constexpr double k_error = 1e-7;
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(shape, properties, k_error);
-  return properties.Mass();
-}
 
 LabelledPart split_faces(const std::vector<PlacedBody>& bodies, const StepLabels& labels) {
   std::vector<TopoDS_Face> faces;
@@ -227,9 +219,9 @@ LabelledPart split_faces(const std::vector<PlacedBody>& bodies, const StepLabels
         if (const auto found = pieces.find(number); found != pieces.end()) {
           for (const LabelledFace& piece : found->second) part.faces.push_back(piece);
         } else {
-          const TopoDS_Shape face = shapes->Apply(faces[number]);
+          const TopoDS_Face face = TopoDS::Face(shapes->Apply(faces[number]));
           const std::uint32_t label = number < labels.of_face.size() ? labels.of_face[number] : k_none;
-          part.faces.push_back({TopoDS::Face(face), label, label == k_none ? 0.0 : area_of(face)});
+          part.faces.push_back({face, label, label == k_none ? 0.0 : area_of(face)});
         }
       }
       BRepTools::Clean(whole);

@@ -23,8 +23,6 @@ struct LabelledFace {
   std::uint32_t label = 0;
   double area = 0.0;  // mm²
 };
-/// To 1e-7.
-[[nodiscard]] double area_of(const TopoDS_Shape& shape);
 
 struct LabelledPart {
   std::vector<TopoDS_Shape> bodies;  // in their places, which are in their coordinates
