@@ -15,13 +15,17 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
+#include <STEPConstruct_UnitContext.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
 #include <StepRepr_CharacterizedDefinition.hxx>
+#include <StepRepr_GlobalUncertaintyAssignedContext.hxx>
+#include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <StepRepr_PropertyDefinition.hxx>
 #include <StepRepr_Representation.hxx>
 #include <StepRepr_RepresentationItem.hxx>
@@ -146,6 +150,20 @@ LengthUnit file_unit(STEPControl_Reader& reader, CadPart& part) {
   return k_millimetre;
 }
 
+double accuracy_of(const Handle(StepData_StepModel) & model) {
+  double accuracy = 0.0;
+  for (Standard_Integer k = 1; k <= model->NbEntities(); ++k) {
+    const auto context =
+        Handle(StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx)::DownCast(model->Value(k));
+    if (context.IsNull()) continue;
+    STEPConstruct_UnitContext units;
+    units.ComputeFactors(context->GlobalUnitAssignedContext());
+    units.ComputeTolerance(context->GlobalUncertaintyAssignedContext());
+    if (units.HasUncertainty()) accuracy = std::max(accuracy, units.Uncertainty() * units.LengthFactor());
+  }
+  return accuracy;
+}
+
 /// Entities of shape that a list of checks finds faulty, and faults of the file as a whole.
 std::size_t count_faulty(const STEPControl_Reader& reader, Interface_CheckIterator checks) {
   std::size_t count = 0;
@@ -210,6 +228,7 @@ CadPart read_step(std::istream& file) {
   for (const TopoDS_Shape& body : bodies_of(shape)) part.bodies.push_back({body, body_name(reader, body)});
   if (part.bodies.empty()) throw std::runtime_error("holds no face; export the part as a solid");
   part.colours = face_colours(reader);
+  part.accuracy = accuracy_of(reader.StepModel());
   return part;
 }
 

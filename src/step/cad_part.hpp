@@ -22,6 +22,7 @@ struct CadPart {
   std::vector<CadBody> bodies;  // solids in the order of the file, then shells, then faces; each has a face
   FaceColours colours;
   LengthUnit unit{"mm", 1.0};  // of the file
+  double accuracy = 0.0;       // mm, that the file says its points have; 0: it says nothing
   std::vector<std::string> warnings;
 };
 

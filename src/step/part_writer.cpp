@@ -236,6 +236,11 @@ StepWritten write_labelled(const CadPart& part, const StepLabels& labels) {
   Interface_Static::SetCVal("write.step.unit", "MM");
   Interface_Static::SetCVal("write.step.schema", "AP214IS");
   Interface_Static::SetIVal("write.step.assembly", 0);
+  if (part.accuracy > 0.0) {
+    // Readers bring edges to surfaces by it, so that with another one the part has another volume.
+    Interface_Static::SetIVal("write.precision.mode", 2);
+    Interface_Static::SetRVal("write.precision.val", part.accuracy);
+  }
   TopoDS_Compound all;
   const BRep_Builder builder;
   builder.MakeCompound(all);
