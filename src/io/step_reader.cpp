@@ -6,6 +6,7 @@
 #include "io/step_program.hpp"
 #include "io/step_result.hpp"
 #include "io/text_scanner.hpp"
+#include "mesh/repair.hpp"
 #include "mesh/weld.hpp"
 
 namespace moldlight {
@@ -16,6 +17,9 @@ constexpr std::string_view k_end_mark = "END-ISO-10303-21";
 // Of what is handed back: a facet with three corners of its own and a name of its own; names and sentences.
 constexpr std::uint64_t k_result_bytes_a_facet = 128, k_result_bytes_a_byte = 16,
                         k_base_result_bytes = std::uint64_t{1} << 20;
+
+/// Facets of faces that were sewn meet but for their last digits, in diagonals of the part.
+constexpr double k_sewn_digits = 1e-7;
 
 /// The reading program may have been broken by its file in ways that leave it running.
 void check_result(const ReadContext& context, const StepResult& result) {
@@ -85,7 +89,9 @@ Part read_iges(const ReadContext& context) {
     context.fail(fmt::format("byte {}", context.bytes().size()),
                  "the IGES file ends without its last record, 'T'; export the part again as IGES text");
   }
-  return read_by_opencascade(context, "IGES");
+  Part part = read_by_opencascade(context, "IGES");
+  weld_near_vertices(part.mesh, k_sewn_digits * bounds(part.mesh).diagonal());
+  return part;
 }
 
 Part part_of_step_result(const ReadContext& context, std::string_view bytes) {

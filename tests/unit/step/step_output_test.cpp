@@ -37,6 +37,7 @@
 
 #include "mold/region.hpp"
 #include "step/entities.hpp"
+#include "step/face_area.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shared_parts.hpp"
@@ -46,12 +47,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-double area_of(const TopoDS_Shape& shape) {
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(shape, properties, 1e-9);
-  return properties.Mass();
-}
 
 double volume_of(const TopoDS_Shape& shape) {
   GProp_GProps properties;
@@ -89,7 +84,7 @@ Read read_again(const std::string& path) {
     const std::uint32_t rgb = colour == colours.end() ? 0 : colour->second;
     const auto known = read.colours.try_emplace(name, rgb).first;
     if (known->second != rgb) known->second = 1;
-    const double area = area_of(walk.Current());
+    const double area = area_of(TopoDS::Face(walk.Current()));
     read.by_name[name] += area;
     read.area += area;
     ++read.faces;
@@ -165,9 +160,7 @@ void expect_part(const std::string& part, const std::string& direction, double a
   for (const Region region : k_regions) {
     const std::string name(region_name(region));
     const double there = after.by_name.contains(name) ? after.by_name.at(name) : 0.0;
-    EXPECT_NEAR(there, unit * step.at("areas").at(name).get<double>(),
-                std::max(1e-6, same_share) * before.area)
-        << name;
+    EXPECT_NEAR(there, unit * step.at("areas").at(name).get<double>(), 1e-6 * before.area) << name;
     const double facets = unit * step.at("facet_areas").at(name).get<double>();
     EXPECT_NEAR(there, facets, area_share * before.area) << name;
     EXPECT_NEAR(facets, unit * report.at("areas").at(name).get<double>(),
@@ -213,8 +206,10 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Of half a cylinder that lies on the plane z = 0, what the core forms is known.
 TEST(StepOutputOfContours, HasTheBorderOnTheFaceItself) {
-  constexpr double k_pi = std::numbers::pi, k_across = 0.07, k_radius = 12.0, k_length = 40.0;
-  const double core = k_radius * k_length * (k_pi - std::atan(k_across)) + 0.5 * k_pi * k_radius * k_radius;
+  constexpr double k_across = 0.07, k_radius = 12.0, k_length = 40.0;
+  constexpr double k_half_turn = std::numbers::pi;
+  const double core =
+      k_radius * k_length * (k_half_turn - std::atan(k_across)) + 0.5 * k_half_turn * k_radius * k_radius;
   const test::ScratchFolder folder;
   const std::string part = folder.file("part.step"), out = folder.file("out.step"),
                     json = folder.file("out.json");
@@ -227,10 +222,11 @@ TEST(StepOutputOfContours, HasTheBorderOnTheFaceItself) {
   const auto run = test::run_moldlight({"classify", part, "--direction", "0.21,0.07,1", "--tau", "0",
                                         "--step", out, "--json", json, "--quiet"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_TRUE(read_again(out).valid);
+  const Read read = read_again(out);
+  EXPECT_TRUE(read.valid);
   const Json step = Json::parse(test::file_bytes(json)).at("step");
-  EXPECT_NEAR(step.at("areas").at("core").get<double>(), core, 1e-6 * area_of(shape));
-  EXPECT_GT(std::abs(step.at("facet_areas").at("core").get<double>() - core), 1e-4 * area_of(shape));
+  EXPECT_NEAR(step.at("areas").at("core").get<double>(), core, 1e-6 * read.area);
+  EXPECT_GT(std::abs(step.at("facet_areas").at("core").get<double>() - core), 1e-4 * read.area);
 }
 
 /// FreeCAD 0.20 ends at several products that stand beside each other.
@@ -261,9 +257,10 @@ TEST_P(StepOutputOfFiles, IsThePartSplitAndNamed) {
   if (const auto shared = test::shared_folder(); !fs::exists(part) && shared)
     part = *shared / "parts" / GetParam();
   if (!fs::exists(part)) GTEST_SKIP() << "not found";
-  // Edges of these are off their surfaces: OpenCASCADE alone, reading and writing, changes them by 2e-5.
+  // Edges of these are up to 0.012 mm off their surfaces, and readers fit the pieces of one that was cut
+  // anew.
   const bool inexact = GetParam().starts_with("m5_");
-  expect_part(part.string(), "z", 2e-2, 0, test::ScratchFolder(), inexact ? 1e-4 : 1e-9);
+  expect_part(part.string(), "z", 2e-2, 0, test::ScratchFolder(), inexact ? 1e-5 : 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, StepOutputOfFiles,
@@ -383,9 +380,7 @@ TEST(IgesInput, IsTheStepFilesPart) {
       }
       EXPECT_EQ(reports[1].at("part").at("format"), "IGES");
       EXPECT_EQ(reports[1].at("part").at("unit"), std::string(unit) == "MM" ? "mm" : "in");
-      if (brep == 1 || std::string(unit) == "MM") {
-        EXPECT_TRUE(reports[1].at("part").at("closed").get<bool>());
-      }
+      EXPECT_TRUE(reports[1].at("part").at("closed").get<bool>()) << brep << unit;
       const double mm = std::string(unit) == "MM" ? 1.0 : 25.4;
       const auto value = [&](int k, const char* a, const char* b) {
         return reports[k].at(a).at(b).get<double>();
