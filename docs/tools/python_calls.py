@@ -47,8 +47,8 @@ CALLS = ("Part", "read", "classify", "draft", "sweep", "actions", "mold", "compa
 
 def members(owner):
     own = [(name, value) for name, value in vars(owner).items() if not name.startswith("_")]
-    values = [(name, value) for name, value in own if isinstance(value, property)]
-    calls = [(name, getattr(owner, name)) for name, value in own if not isinstance(value, property)]
+    values = [(name, value) for name, value in own if inspect.isdatadescriptor(value)]
+    calls = [(name, getattr(owner, name)) for name, value in own if not inspect.isdatadescriptor(value)]
     if values:
         print("\nValues:\n")
         for name, value in values:

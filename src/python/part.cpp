@@ -263,7 +263,7 @@ constexpr std::string_view k_part_text =
     "Part.read() reads a file. A part does not change, and threads may share it.";
 
 constexpr std::string_view k_read_text =
-    "Reads a part: STL, OBJ, PLY, OFF, 3MF or STEP, recognised by its content.\n\n"
+    "Reads a part: STL, OBJ, PLY, OFF, 3MF, STEP or IGES, recognised by its content.\n\n"
     "path: a file's name, its content as bytes, or what has read(), such as an open file.\n"
     "format: 'stl', 'obj' and so on, where neither content nor name says it.\n"
     "progress: as for Part().";

@@ -1,5 +1,6 @@
 """Threads side by side, progress, cancelling, Ctrl-C, child processes."""
 
+import io
 import os
 import pathlib
 import signal
@@ -28,6 +29,30 @@ class Threads(unittest.TestCase):
         with ThreadPoolExecutor(4) as threads:
             found = list(threads.map(lambda d: support.untimed(shared.classify(d).to_dict()), directions))
         self.assertEqual(found, noted)
+
+    def test_a_batch_goes_on_past_parts_that_fail(self):
+        sources = [CLIP, support.ASSETS / "none.stl", LID.read_bytes(), io.BytesIO(b"solid of nothing")]
+        found = list(moldlight.batch(iter(sources), "classify", jobs=2, direction="z", unit="mm", tau_deg=0.5))
+        self.assertEqual([each.source for each in found], sources)
+        self.assertEqual([each.error is None for each in found], [True, False, True, False])
+        self.assertIsInstance(found[1].error, moldlight.FileError)
+        self.assertIsNone(found[1].part)
+        alone = moldlight.Part.read(LID, unit="mm").classify("z", tau_deg=0.5)
+        self.assertEqual(found[2].result.areas, alone.areas)
+        self.assertEqual(found[2].part.unit, "mm")
+        for keywords in ({"direction": "z", "tau": 1}, {}, {"direction": "z", "jobs": 2, "unit": "parsec"}):
+            with self.assertRaises((moldlight.UsageError, TypeError)):
+                next(moldlight.batch([CLIP], "classify", **keywords))
+        with self.assertRaisesRegex(moldlight.UsageError, "melt"):
+            moldlight.batch([CLIP], "melt")
+
+    def test_leaving_a_batch_ends_it(self):
+        begun = time.monotonic()
+        for found in moldlight.batch([CLIP] + 20 * [LID], "sweep", jobs=2, unit="mm", directions=400):
+            self.assertIsNone(found.error)
+            begun = time.monotonic()
+            break
+        self.assertLess(time.monotonic() - begun, 3.0)
 
     def test_maps_and_pictures_in_threads(self):
         part = moldlight.Part.read(CLIP)

@@ -18,6 +18,7 @@ Python's lock is released while work runs, so threads compute side by side.
 
 from . import _conversions, _core, _notebook  # noqa: F401
 from ._core import *  # noqa: F401,F403
+from ._batch import BatchResult, batch  # noqa: F401
 from ._core import __version__
 
 
@@ -58,10 +59,10 @@ _core.Comparison.verdicts = property(
 _core.Comparison.verdict = property(
     lambda self: Verdict({**(self.verdicts["b"] or {}), "sentence": _change.fget(self)}), doc=_change.__doc__)
 
-__all__ = sorted([name for name in vars(_core) if not name.startswith("_")] + ["Verdict"])
+__all__ = sorted([name for name in vars(_core) if not name.startswith("_")] + ["BatchResult", "Verdict", "batch"])
 
 # What is said of the classes is the package's.
 for _name in __all__:
-    if isinstance(globals()[_name], type):
+    if isinstance(globals()[_name], type) or _name == "batch":
         globals()[_name].__module__ = __name__
 del _name, _owner
