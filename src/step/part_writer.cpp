@@ -14,9 +14,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRep_Builder.hxx>
-#include <Geom_Plane.hxx>
 #include <Interface_Static.hxx>
-#include <Precision.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPConstruct_Styles.hxx>
@@ -36,15 +34,15 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <gp_Pln.hxx>
 
 #include "step/face_split.hpp"
+#include "step/parting_shell.hpp"
 
 namespace moldlight::step {
 
@@ -153,63 +151,6 @@ TopoDS_Wire wire_of(const StepLine& line) {
     last = next;
   }
   return wire;
-}
-
-/// A shell of plane faces that share their edges.
-class ShellMaker {
- public:
-  explicit ShellMaker(double tolerance) : tolerance_(std::max(tolerance, Precision::Confusion())) {
-    builder_.MakeShell(shell_);
-  }
-
-  void add(const StepSurface::Face& face) {
-    const gp_Pln plane(gp_Pnt(face.point[0], face.point[1], face.point[2]),
-                       gp_Dir(face.normal[0], face.normal[1], face.normal[2]));
-    TopoDS_Face made;
-    builder_.MakeFace(made, new Geom_Plane(plane), tolerance_);
-    for (const std::vector<StepSurface::Point>& loop : face.loops) {
-      TopoDS_Wire wire;
-      builder_.MakeWire(wire);
-      for (std::size_t k = 0; k < loop.size(); ++k)
-        builder_.Add(wire, edge(loop[k], loop[(k + 1) % loop.size()]));
-      wire.Closed(Standard_True);
-      builder_.Add(made, wire);
-    }
-    builder_.Add(shell_, made);
-  }
-  [[nodiscard]] const TopoDS_Shell& shell() const { return shell_; }
-
- private:
-  TopoDS_Vertex vertex(const StepSurface::Point& at) {
-    const auto [entry, fresh] = vertices_.try_emplace(at);
-    if (fresh) builder_.MakeVertex(entry->second, gp_Pnt(at[0], at[1], at[2]), tolerance_);
-    return entry->second;
-  }
-
-  TopoDS_Shape edge(const StepSurface::Point& from, const StepSurface::Point& to) {
-    const bool turned = to < from;
-    const auto [entry, fresh] = edges_.try_emplace(turned ? std::pair(to, from) : std::pair(from, to));
-    if (fresh) {
-      BRepBuilderAPI_MakeEdge made(vertex(entry->first.first), vertex(entry->first.second));
-      if (!made.IsDone())
-        throw std::runtime_error("has a parting surface with edges too short for OpenCASCADE");
-      entry->second = made.Edge();
-      builder_.UpdateEdge(entry->second, tolerance_);
-    }
-    return turned ? entry->second.Reversed() : TopoDS_Shape(entry->second);
-  }
-
-  double tolerance_;
-  BRep_Builder builder_;
-  TopoDS_Shell shell_;
-  std::map<StepSurface::Point, TopoDS_Vertex> vertices_;
-  std::map<std::pair<StepSurface::Point, StepSurface::Point>, TopoDS_Edge> edges_;
-};
-
-TopoDS_Shell shell_of(const StepSurface& surface) {
-  ShellMaker maker(surface.tolerance);
-  for (const StepSurface::Face& face : surface.faces) maker.add(face);
-  return maker.shell();
 }
 
 void transfer(STEPControl_Writer& writer, const TopoDS_Shape& shape) {

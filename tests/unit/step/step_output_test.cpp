@@ -317,6 +317,29 @@ TEST_F(StepFlag, WritesThePartingSurfaceOfAMold) {
         << name;
 }
 
+TEST_F(StepFlag, WritesRegistrationConesAsCones) {
+  const std::string json = folder_.file("mold.json");
+  const auto run = test::run_moldlight({"mold", part_, "--direction", "z", "--fill-undercut",
+                                        "--registration", "--step", out_, "--json", json, "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto count = [&](const std::string& file, const std::string& what) {
+    const std::string text = test::file_bytes(file);
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count(part_, "CONICAL_SURFACE("), 0U);
+  EXPECT_EQ(count(out_, "CONICAL_SURFACE("), 4U);
+  const Read read = read_again(out_);
+  EXPECT_TRUE(read.valid);
+  EXPECT_LT(read.faces, 60U);  // each cone would have 48
+  // Seen along the direction both are the same; facets of a cone are steeper.
+  const Json surfaces = Json::parse(test::file_bytes(json)).at("surfaces");
+  const double facets = surfaces.at("parting").get<double>() + surfaces.at("shut_offs").get<double>();
+  EXPECT_LT(read.by_name.at(""), facets);
+  EXPECT_NEAR(read.by_name.at(""), facets, 1e-4 * facets);
+}
+
 TEST_F(StepFlag, GivesTheSameFileAgain) {
   for (const std::string& name : {out_, folder_.file("again.step")}) {
     const auto run = test::run_moldlight({"classify", part_, "--direction", "z", "--step", name, "--quiet"});
