@@ -69,11 +69,12 @@ class Strips {
     const double high = std::max(uv.X(), begin_.X());
     double sum = 0.0, from = std::min(uv.X(), begin_.X());
     const auto across = [&](double u) { return density(u, uv.Y()); };
-    for (auto next = std::upper_bound(spans_.begin(), spans_.end(), from); from < high; ++next) {
-      const double to = next == spans_.end() ? high : std::min(high, *next);
-      sum += integral(from, to, across);
-      from = to;
+    for (auto next = std::upper_bound(spans_.begin(), spans_.end(), from);
+         next != spans_.end() && *next < high; ++next) {
+      sum += integral(from, *next, across);
+      from = *next;
     }
+    sum += integral(from, high, across);
     return std::copysign(sum, uv.X() - begin_.X()) * step.Y();
   }
 
