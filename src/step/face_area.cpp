@@ -24,8 +24,8 @@ namespace moldlight::step {
 
 namespace {
 
-constexpr double k_area_error = 1e-9;  // of the face, that halving a piece of its outline may change
-constexpr int k_most_halvings = 12;
+constexpr double k_area_error = 1e-9;  // of the whole, that halving a piece may change
+constexpr int k_most_halvings = 12, k_most_parts = 5;
 
 /// Gauss and Legendre's rule with eight points.
 double integral(double from, double to, const auto& value) {
@@ -60,7 +60,9 @@ class Strips {
     if (even_in_v_ || kind <= GeomAbs_Torus || kind == GeomAbs_SurfaceOfRevolution) return;
     TColStd_Array1OfReal smooth(1, surface_.NbUIntervals(GeomAbs_C3) + 1);
     surface_.UIntervals(smooth, GeomAbs_C3);
-    spans_.assign(smooth.begin(), smooth.end());
+    spans_.push_back(smooth.First());
+    for (int k = smooth.Lower(); k < smooth.Upper(); ++k)
+      add_span(smooth(k), smooth(k + 1), {v0, v1}, k_most_parts);
   }
 
   [[nodiscard]] double at(const gp_Pnt2d& uv, const gp_Vec2d& step) const {
@@ -79,6 +81,21 @@ class Strips {
   }
 
  private:
+  /// In parts that are each one step of the rule.
+  void add_span(double from, double to, const std::array<double, 2>& v, int left) {
+    const double middle = 0.5 * (from + to);
+    bool exact = true;
+    for (const double at : {v[0], 0.5 * (v[0] + v[1]), v[1]}) {
+      const auto across = [&](double u) { return density(u, at); };
+      const double whole = integral(from, to, across);
+      exact = exact && std::abs(integral(from, middle, across) + integral(middle, to, across) - whole) <=
+                           k_area_error * whole;
+    }
+    if (exact || left == 0) return spans_.push_back(to);
+    add_span(from, middle, v, left - 1);
+    add_span(middle, to, v, left - 1);
+  }
+
   [[nodiscard]] double density(double u, double v) const {
     gp_Pnt point;
     gp_Vec along_u, along_v;
