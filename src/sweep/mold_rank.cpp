@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "mold/direction.hpp"
+
 namespace moldlight {
 
 namespace {
@@ -73,6 +75,9 @@ Difference difference(MoldCriterion criterion, const MoldCost& one, const MoldCo
                       std::optional<double> noted = std::nullopt) {
   const CriterionFacts& facts = k_facts[static_cast<std::size_t>(criterion)];
   const double by = one.of(criterion) - other.of(criterion);
+  if (criterion == found && one.canonical && other.canonical)
+    return {by / facts.band, by > 0.0 ? "is beside a direction for which more of the part speaks"
+                                      : "has more of the part that speaks for it"};
   if (criterion == found)
     return {by / facts.band, by > 0.0 ? "is not an axis or a face normal of the part"
                                       : "is an axis or a face normal of the part"};
@@ -126,10 +131,17 @@ bool costs_no_more(const MoldCost& one, const MoldCost& other) {
 }
 
 void compare_found(std::span<MoldCost> costs) {
+  constexpr double k_worth_a_tilt = 0.05;  // of the surface, where a part has to be changed
+  const auto beats = [&](const MoldCost& other, const MoldCost& cost) {
+    if (!other.canonical) return false;
+    if (cost.canonical)
+      return other.of(support) < cost.of(support) - mold_band(support) &&
+             line_angle_deg(other.direction, cost.direction) <= k_beside_deg && costs_no_more(other, cost);
+    return costs_no_more(other, cost) || (cost.of(unreleased) > mold_band(unreleased) &&
+                                          other.of(unreleased) <= cost.of(unreleased) + k_worth_a_tilt);
+  };
   for (MoldCost& cost : costs) {
-    const bool beaten = !cost.canonical && std::ranges::any_of(costs, [&](const MoldCost& other) {
-      return other.canonical && costs_no_more(other, cost);
-    });
+    const bool beaten = std::ranges::any_of(costs, [&](const MoldCost& other) { return beats(other, cost); });
     cost.of(found) = beaten ? 1.0 : 0.0;
   }
 }

@@ -8,14 +8,16 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "actions/action_kind.hpp"
 
 namespace moldlight {
 
 /// In this order. All are figures of which less is better.
 enum class MoldCriterion : std::uint8_t {
-  found,       // 1 for a direction that the part's shape does not name, beside one that it names and that
-               // costs no more
+  found,       // 1 for a direction that the part's shape does not name, or names by less, beside one that it
+               // names and that costs no more
   unreleased,  // surface that no side action releases, or more than a mold has, share of the part's
   effort,      // weight of the side actions, and what is added to it, see mold_effort()
   line,        // climb and steep steps of the parting line, share of the diagonal
@@ -28,6 +30,7 @@ inline constexpr std::size_t k_mold_criteria = 8;
 
 struct MoldCost {
   std::array<double, k_mold_criteria> values{};
+  glm::dvec3 direction{0.0};  // unit
   bool canonical = false;
   double weight = 0.0;    // of side actions
   double in_vain = 0.0;   // of it, what does not count as effort
@@ -74,7 +77,12 @@ struct MoldOrder {
   /// that counts ties.
   std::vector<std::optional<MoldCriterion>> decided_by;
 };
-/// Settles what is found beside what the shape names.
+/// Within 10 degrees one direction lies beside another.
+inline constexpr double k_beside_deg = 10.0;
+/// Settles what is found beside what the shape names: a direction that it does not name, where one that it
+/// names costs no more, or where both leave surface unreleased, so that the part has to be changed, and that
+/// one not 5 % of the surface more; and one that it names, where another beside it, for which more of the
+/// surface speaks, costs no more.
 void compare_found(std::span<MoldCost> costs);
 /// The first is what remains where, criterion by criterion, all go that are worse than the best left by more
 /// than the band; of what ties in all, the first given. The next is the first of the others, and so on.

@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t k_together = 4;     // between two looks at what is certain to be heavier
 constexpr double k_same_place_deg = 3.0;  // beside a canonical direction that costs no more nothing is listed
-constexpr double k_beside_deg = 10.0;     // where a canonical direction stands for one found by search
 constexpr double k_hopeless = 2.0;        // of the least undercut that is known: beside many it is no gain
 constexpr std::size_t k_most_overtaken = 6;  // whose bodies are found beside those of the listed ones
 
@@ -56,6 +55,7 @@ MoldCost MoldRanking::cost(const Contender& contender) const {
   MoldCost cost = mold_cost(tools_.model, contender.measured->classification, *contender.actions,
                             *contender.measured->parting);
   cost.of(MoldCriterion::depth) = contender.figures.draw_depth / tools_.model.frame.diagonal;
+  cost.direction = contender.candidate.direction;
   cost.canonical = contender.canonical();
   if (cost.canonical) {
     cost.of(MoldCriterion::support) -= contender.candidate.canonical->share;

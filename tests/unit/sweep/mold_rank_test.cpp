@@ -1,5 +1,8 @@
 #include "sweep/mold_rank.hpp"
 
+#include <cmath>
+
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 namespace moldlight {
@@ -103,6 +106,40 @@ MoldCost of_weight(double weight, bool canonical, double left = 0.0) {
   made.weight = weight;
   made.canonical = canonical;
   return made;
+}
+
+TEST(MoldRank, WhatMoreOfThePartNamesBeatsWhatLessDoesBesideIt) {
+  MoldCost block = of_weight(1.0, true), holes = of_weight(1.0, true);
+  block.direction = {0, 0, 1};
+  block.of(support) = 0.4;
+  block.of(draft) = 0.9;
+  holes.direction = {0, std::sin(glm::radians(8.0)), std::cos(glm::radians(8.0))};
+  holes.of(support) = 0.9;
+  std::vector<MoldCost> costs = {holes, block};
+  compare_found(costs);
+  EXPECT_EQ(order(costs), (Numbers{1, 0}));
+  EXPECT_EQ(rank_reasons(costs[0], costs[1]).front(),
+            "is beside a direction for which more of the part speaks");
+
+  costs[0].weight = costs[0].of(effort) = 0.0;
+  compare_found(costs);
+  EXPECT_EQ(order(costs), (Numbers{0, 1})) << "it needs a slide less";
+  costs[0].weight = costs[0].of(effort) = 1.0;
+  costs[0].direction = {0, std::sin(glm::radians(11.0)), std::cos(glm::radians(11.0))};
+  compare_found(costs);
+  EXPECT_EQ(order(costs), (Numbers{0, 1})) << "it is not beside it";
+}
+
+TEST(MoldRank, APartThatHasToBeChangedIsNotTilted) {
+  std::vector<MoldCost> costs = {of_weight(1.0, false, 0.05), of_weight(3.0, true, 0.09)};
+  compare_found(costs);
+  EXPECT_EQ(order(costs), (Numbers{1, 0}));
+  costs[1].of(unreleased) = 0.11;
+  compare_found(costs);
+  EXPECT_EQ(order(costs), (Numbers{0, 1})) << "more than a twentieth of the surface";
+  costs = {of_weight(1.0, false, 0.0), of_weight(3.0, true, 0.04)};
+  compare_found(costs);
+  EXPECT_EQ(order(costs), (Numbers{0, 1})) << "it releases everything";
 }
 
 TEST(MoldRank, CostIsWhatNothingReleasesAndSideActions) {
