@@ -31,7 +31,10 @@ constexpr double k_given_weight = 1e3, k_wish_weight = 1e5;
 /// Undercuts of less than this share of the part's area are left to either half.
 constexpr double k_undercut_floor = 1e-5;
 constexpr std::size_t k_most_heights = 10;
-constexpr std::uint8_t k_divided = 2;  // of a free piece, for as long as sides are sought
+// Of a piece, for as long as sides are sought: free and divided at the height; a hair beyond it.
+constexpr std::uint8_t k_divided = 2, k_beyond = 3;
+constexpr double k_hair_beyond = 2.0;  // lateral tolerances
+constexpr double k_at_height = 1e-6;   // of the diagonal
 constexpr double k_level_sine = 0.01;  // a crease that climbs less is level
 /// Pieces that are narrower, as a share of the diagonal, are what rounding leans out or hides.
 constexpr double k_least_width = 1e-6;
@@ -253,7 +256,7 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
     cut_at_height(result.mesh, result.free,
                   {.direction = result.direction,
                    .height = *height,
-                   .tolerance = 1e-6 * model.frame.diagonal,
+                   .tolerance = k_at_height * model.frame.diagonal,
                    .least = k_divided});
     result.edges = piece_edges(result.mesh);
   }
@@ -343,6 +346,19 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
   return result;
 }
 
+bool is_hair_beyond(const PartModel& model, const Assignment& assignment, PieceIndex piece, double height) {
+  const Region region = assignment.mesh.pieces[piece].region;
+  if (region != Region::core && region != Region::cavity) return false;
+  const double sense = region == Region::core ? 1.0 : -1.0;
+  double beyond = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    beyond =
+        std::max(beyond, sense * (height - glm::dot(assignment.mesh.corner(piece, k), assignment.direction)));
+  const double sine =
+      std::abs(glm::dot(model.geometry.normals[assignment.mesh.pieces[piece].facet], assignment.direction));
+  return beyond > 0.0 && beyond * sine <= k_hair_beyond * assignment.lateral * std::sqrt(1.0 - sine * sine);
+}
+
 Assignment with_divided(const PartModel& model, const MoldSettings& settings, const Assignment& whole,
                         const DividedWalls& walls, const Progress& progress) {
   progress.report("assigning", 0.0);
@@ -353,8 +369,22 @@ Assignment with_divided(const PartModel& model, const MoldSettings& settings, co
   result.direction = whole.direction;
   result.lateral = whole.lateral;
   for (PieceIndex piece = 0; piece < result.free.size(); ++piece) {
-    if (result.free[piece] != 0 && walls.facets[result.mesh.pieces[piece].facet] != 0)
+    if (walls.facets[result.mesh.pieces[piece].facet] == 0) continue;
+    if (result.free[piece] != 0) {
       result.free[piece] = k_divided;
+    } else if (walls.hairs && is_hair_beyond(model, whole, piece, walls.height)) {
+      result.free[piece] = k_beyond;
+    }
+  }
+  cut_at_height(result.mesh, result.free,
+                {.direction = result.direction,
+                 .height = walls.height,
+                 .tolerance = k_at_height * model.frame.diagonal,
+                 .least = k_beyond});
+  for (PieceIndex piece = 0; piece < result.free.size(); ++piece) {
+    if (result.free[piece] != k_beyond) continue;
+    const bool above = glm::dot(result.mesh.middle(piece), result.direction) > walls.height;
+    result.free[piece] = above == (result.mesh.pieces[piece].region == Region::cavity) ? k_divided : 0;
   }
   find_sides(model, settings, walls.height, progress, result);
   return result;

@@ -53,10 +53,17 @@ struct Assignment {
 [[nodiscard]] Assignment assign_sides(const PartModel& model, const Query& query,
                                       const MoldSettings& settings, const Progress& progress);
 
+/// Whether what of a piece lies on the wrong side of a height for the one half that could form it is a hair,
+/// no wider as seen along the direction than twice the lateral tolerance: a facet of a round wall whose
+/// corners are not at that height.
+[[nodiscard]] bool is_hair_beyond(const PartModel& model, const Assignment& assignment, PieceIndex piece,
+                                  double height);
+
 /// The same where the free walls of some facets are divided at a height, from an assignment without one. Its
 /// energy is comparable with that one's. Throws Cancelled.
 struct DividedWalls {
   double height = 0.0;
+  bool hairs = false;                     // and what is a hair beyond it
   std::vector<std::uint8_t> facets = {};  // 1 for each whose walls are divided
 };
 [[nodiscard]] Assignment with_divided(const PartModel& model, const MoldSettings& settings,

@@ -14,6 +14,7 @@ namespace {
 constexpr double k_level_step = 1e-4;     // of the diagonal: heights that are one
 constexpr std::size_t k_most_levels = 6;  // that are tried
 constexpr double k_hair = 0.02;           // of the diagonal: a line that costs less by no more is no better
+constexpr double k_alike_reverse = 2e-3;  // of the surface: with about as much reverse draft
 constexpr double k_alike = 0.25;          // of the diagonal: of those that cost about the same creases decide
 
 /// Of the outer loops' length.
@@ -50,20 +51,27 @@ std::vector<double> levels_of(const PartModel& model, const MoldLine& found) {
   return tried;
 }
 
-/// 1 for each facet with free surface that is connected with the outer loops across free surface alone.
-std::vector<std::uint8_t> outer_walls(const PartModel& model, const MoldLine& found) {
+/// The facets with surface that is free, or if asked for a hair beyond the height, and connected with the
+/// outer loops across such surface alone. Hairs are asked for no more where there are none.
+DividedWalls outer_walls(const PartModel& model, const MoldLine& found, double height, bool hairs) {
   const Assignment& assignment = found.assignment;
   std::vector<std::uint8_t> on_loop(assignment.mesh.vertices.size(), 0);
   for (const PartingLoop& loop : found.line.loops) {
     if (loop.kind != LoopKind::outer) continue;
     for (const VertexIndex vertex : loop.vertices) on_loop[vertex] = 1;
   }
+  DividedWalls walls{.height = height, .facets = std::vector<std::uint8_t>(model.part.mesh.facets.size(), 0)};
+  const auto may_be_divided = [&](PieceIndex piece) {
+    if (assignment.free[piece] != 0) return true;
+    const bool is_hair = hairs && is_hair_beyond(model, assignment, piece, height);
+    walls.hairs = walls.hairs || is_hair;
+    return is_hair;
+  };
   std::vector<std::uint8_t> reached(assignment.mesh.pieces.size(), 0);
   std::vector<PieceIndex> open;
   for (PieceIndex piece = 0; piece < reached.size(); ++piece) {
     const auto is_on_loop = [&](VertexIndex corner) { return on_loop[corner] != 0; };
-    if (assignment.free[piece] == 0 ||
-        std::ranges::none_of(assignment.mesh.pieces[piece].corners, is_on_loop))
+    if (std::ranges::none_of(assignment.mesh.pieces[piece].corners, is_on_loop) || !may_be_divided(piece))
       continue;
     reached[piece] = 1;
     open.push_back(piece);
@@ -73,16 +81,15 @@ std::vector<std::uint8_t> outer_walls(const PartModel& model, const MoldLine& fo
     open.pop_back();
     for (std::size_t side = 0; side < 3; ++side) {
       const PieceIndex next = assignment.edges.across(piece, side);
-      if (next == k_no_piece || next == piece || assignment.free[next] == 0 || reached[next] != 0) continue;
+      if (next == k_no_piece || next == piece || reached[next] != 0 || !may_be_divided(next)) continue;
       reached[next] = 1;
       open.push_back(next);
     }
   }
-  std::vector<std::uint8_t> facets(model.part.mesh.facets.size(), 0);
   for (PieceIndex piece = 0; piece < reached.size(); ++piece) {
-    if (reached[piece] != 0) facets[assignment.mesh.pieces[piece].facet] = 1;
+    if (reached[piece] != 0) walls.facets[assignment.mesh.pieces[piece].facet] = 1;
   }
-  return facets;
+  return walls;
 }
 
 }  // namespace
@@ -97,23 +104,34 @@ MoldLine find_mold_line(const PartModel& model, const Query& query, const MoldSe
   const auto cost_of = [&](const MoldLine& line) {
     return line.assignment.energy - (is_planar(line) ? worth : 0.0);
   };
-  DividedWalls walls{.facets = outer_walls(model, found)};
   const double most = found.assignment.energy - k_hair * diagonal;
   std::vector<MoldLine> better;
-  for (const double height : levels_of(model, found)) {
-    walls.height = height;
+  const auto try_walls = [&](const DividedWalls& walls) {
     MoldLine tried{with_divided(model, settings, found.assignment, walls, progress), {}};
-    if (tried.assignment.energy >= most + worth) continue;
+    if (tried.assignment.energy >= most + worth) return false;
     tried.line = parting_line(tried.assignment);
-    if (cost_of(tried) < most && tried.line.loops.size() <= found.line.loops.size() &&
-        breaks_of(tried.line) <= breaks_of(found.line))
-      better.push_back(std::move(tried));
+    const bool planar = is_planar(tried);
+    if ((walls.hairs && !planar) || cost_of(tried) >= most ||
+        tried.line.loops.size() > found.line.loops.size() || breaks_of(tried.line) > breaks_of(found.line))
+      return planar;
+    better.push_back(std::move(tried));
+    return planar;
+  };
+  for (const double height : levels_of(model, found)) {
+    if (try_walls(outer_walls(model, found, height, false))) continue;
+    // Hairs are given away for a plane alone.
+    if (const DividedWalls walls = outer_walls(model, found, height, true); walls.hairs) try_walls(walls);
   }
   if (better.empty()) return found;
-  const double least = cost_of(*std::ranges::min_element(better, {}, cost_of));
-  std::erase_if(better, [&](const MoldLine& line) { return cost_of(line) > least + k_alike * diagonal; });
-  return std::move(
-      *std::ranges::max_element(better, {}, [](const MoldLine& line) { return on_creases(line.line); }));
+  const auto keep_about_least = [&](const auto& figure, double more) {
+    const double most_of_it = figure(*std::ranges::min_element(better, {}, figure)) + more;
+    std::erase_if(better, [&](const MoldLine& line) { return figure(line) > most_of_it; });
+  };
+  keep_about_least([](const MoldLine& line) { return line.assignment.reverse_draft_area; },
+                   k_alike_reverse * model.geometry.total_area);
+  keep_about_least(cost_of, k_alike * diagonal);
+  return std::move(*std::ranges::max_element(
+      better, {}, [&](const MoldLine& line) { return std::pair(is_planar(line), on_creases(line.line)); }));
 }
 
 }  // namespace moldlight

@@ -30,13 +30,14 @@ WallCaps::WallCaps(const PartModel& model, const MoldLine& line, const SheetFram
     if (assignment.sides[piece] == MoldSide::core) former |= k_by_core;
     if (assignment.sides[piece] == MoldSide::cavity) former |= k_by_cavity;
   }
+  const double middle = glm::dot(frame.centre, direction_);
   for (const PartingLoop& loop : line.line.loops) {
     if (loop.kind == LoopKind::action || loop.climb() > k_planar_share * frame.diagonal) continue;
-    for (std::size_t k = 0; k < loop.points.size(); ++k) {
-      const glm::dvec3 from = frame.in_mold(loop.points[k]),
-                       to = frame.in_mold(loop.points[(k + 1) % loop.points.size()]);
-      add({glm::dvec2(from), glm::dvec2(to), 0.5 * (from.z + to.z)});
-    }
+    const auto in_sheets = [&](double height) { return (height - middle) / frame.diagonal; };
+    for (std::size_t k = 0; k < loop.points.size(); ++k)
+      add({glm::dvec2(frame.in_mold(loop.points[k])),
+           glm::dvec2(frame.in_mold(loop.points[(k + 1) % loop.points.size()])), in_sheets(loop.low),
+           in_sheets(loop.high)});
   }
 }
 
@@ -59,20 +60,20 @@ void WallCaps::add(const Piece& piece) {
   }
 }
 
-std::optional<double> WallCaps::height_at(const glm::dvec2& at) const {
+std::optional<double> WallCaps::height_at(const glm::dvec2& at, Sheet sheet) const {
   const auto found = near_.find(cell_of(at));
   if (found == near_.end()) return std::nullopt;
   std::optional<double> height;
   double nearest = reach_;
   for (const std::uint32_t k : found->second) {
-    const auto& [from, to, z] = pieces_[k];
+    const auto& [from, to, low, high] = pieces_[k];
     const glm::dvec2 way = to - from;
     const double squared = glm::dot(way, way);
     const double share = squared > 0.0 ? glm::clamp(glm::dot(at - from, way) / squared, 0.0, 1.0) : 0.0;
     const double distance = glm::distance(at, from + share * way);
     if (distance >= nearest) continue;
     nearest = distance;
-    height = z;
+    height = sheet == Sheet::lower ? low : high;
   }
   return height;
 }
@@ -98,7 +99,7 @@ std::optional<double> WallCaps::height(FacetIndex facet, Sheet sheet,
   const double sense = sheet == Sheet::lower ? 1.0 : -1.0;
   std::optional<double> height;
   for (const glm::dvec3& corner : corners) {
-    const std::optional<double> here = height_at(glm::dvec2(corner));
+    const std::optional<double> here = height_at(glm::dvec2(corner), sheet);
     if (!here || (height && std::abs(*here - *height) > k_same_height) ||
         sense * (corner.z - *here) < -k_same_height)
       return std::nullopt;

@@ -32,12 +32,12 @@ class WallCaps {
  private:
   struct Piece {
     glm::dvec2 from{0.0}, to{0.0};
-    double height = 0.0;
+    double low = 0.0, high = 0.0;  // of its loop
   };
   using Cell = std::pair<std::int64_t, std::int64_t>;
   [[nodiscard]] Cell cell_of(const glm::dvec2& at) const;
   void add(const Piece& piece);
-  [[nodiscard]] std::optional<double> height_at(const glm::dvec2& at) const;
+  [[nodiscard]] std::optional<double> height_at(const glm::dvec2& at, Sheet sheet) const;
 
   std::vector<std::uint8_t> formers_;  // of each facet: bits of the halves
   glm::dvec3 direction_;

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
+#include "parting/make_halves.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/solid_builder.hpp"
 
@@ -53,6 +55,27 @@ TEST(PlanarLine, LeavesAnEdgeForWhatItIsWorthAlone) {
   const MoldLine planar = line_of(block, 200.0);
   EXPECT_LT(climb(planar.line), 1e-9);
   EXPECT_NEAR(std::abs(planar.line.outer_low - 23.0), 3.0, 1e-9);
+}
+
+/// Its corners are a little off the middle, so that a line along edges is higher on one side. A facet that
+/// leans by 3 degrees beside the middle is a hair beyond it.
+TEST(PlanarLine, OfARoundBarDoesNotStepFromCornerToCorner) {
+  constexpr int k_corners = 62;
+  constexpr double k_radius = 10.0, k_off_deg = 1.0;
+  test::SolidBuilder solid;
+  solid.extrude(test::regular_polygon(k_corners, k_radius, k_off_deg), {}, 20.0);
+  const TriangleMesh bar = solid.mesh();
+  const auto model = test::model_of(bar);
+  const double off = 2.0 * k_radius * std::sin(glm::radians(k_off_deg));
+  EXPECT_GT(climb(parting_line(assign_sides(*model, {glm::dvec3(0, 0, 1), {}}, {}, Progress{}))), 0.99 * off);
+
+  const MoldLine found = line_of(bar, 50.0);
+  EXPECT_LT(climb(found.line), 1e-9);
+  EXPECT_LE(std::abs(found.line.outer_low), 0.5 * off + 1e-9);
+  EXPECT_GT(found.assignment.reverse_draft_area, 0.0);
+  const MoldHalves halves = make_halves(*model, {0, 0, 1}, meeting_place(found), {}, Progress{});
+  ASSERT_TRUE(halves.certified()) << halves.refusal;
+  EXPECT_NEAR(halves.surface.shelf_share(), 1.0, 1e-12);
 }
 
 TEST(PlanarLine, StaysAtTheHeightThatIsGiven) {
