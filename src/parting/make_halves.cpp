@@ -47,9 +47,6 @@ constexpr BodySheets k_fill{.sheets = k_hidden | k_beside, .turned = k_hidden};
 /// Upright walls lower than this share of the diagonal are no contact, and less than this share of what was
 /// given by hand is not missed.
 constexpr double k_least_contact = 1.1e-4, k_least_missed = 1e-5;
-/// Facets with a smaller height, as a share of the diagonal, are reported as needles.
-constexpr double k_needle = 1e-7;
-
 using Facets = std::vector<std::array<SheetVertex, 3>>;
 
 MoldBody scaled_body(const std::vector<glm::dvec3>& vertices, const Facets& facets, double scale) {
@@ -376,36 +373,14 @@ class Trial {
     }
     for (std::size_t k = 0; k < 2; ++k) {
       MoldBody& half = k == 0 ? halves_.core : halves_.cavity;
-      TriangleMesh& mesh = written.bodies[k].mesh;
+      const TriangleMesh& mesh = written.bodies[k].mesh;
       const double thinnest = k_needle * frame_.diagonal * halves_.scale;
-      std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
-      if (!crossed.empty()) {
-        TriangleMesh before = mesh;
-        std::vector<FacetIndex> left = uncross_written(halves_, k, crossed, progress);
-        // What is mended must not become needles.
-        if (find_needles(mesh, thinnest).count > find_needles(before, thinnest).count) {
-          mesh = std::move(before);
-        } else {
-          halves_.mended_facets += crossed.size() - std::min(crossed.size(), left.size());
-          crossed = std::move(left);
-        }
-      }
-      half.crossed_facets = crossed.size();
-      if (!crossed.empty())
-        half.crossed_at = place_in_part(halves_, written, mesh.corner(crossed.front(), 0));
+      halves_.mended_facets += mend_crossed(halves_, k, thinnest, progress);
       const Needles needles = find_needles(mesh, thinnest);
       half.needles = needles.count;
       if (needles.place) half.needle_at = place_in_part(halves_, written, *needles.place);
       half.nonmanifold_edges = written.bodies[k].nonmanifold_edges;
       half.leaning = written.bodies[k].leaning;
-    }
-    for (std::size_t k = 0; k < halves_.inserts.size(); ++k) {
-      MoldBody& insert = halves_.inserts[k];
-      const TriangleMesh& mesh = written.bodies[k + 2].mesh;
-      const std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
-      insert.crossed_facets = crossed.size();
-      if (!crossed.empty())
-        insert.crossed_at = place_in_part(halves_, written, mesh.corner(crossed.front(), 0));
     }
     return std::nullopt;
   }
@@ -501,7 +476,10 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
   if (best) {
     best->core.thinnest = thinnest_of(best->core.mesh);
     best->cavity.thinnest = thinnest_of(best->cavity.mesh);
-    for (MoldBody& insert : best->inserts) insert.thinnest = thinnest_of(insert.mesh);
+    for (std::size_t k = 0; k < best->inserts.size(); ++k) {
+      best->inserts[k].thinnest = thinnest_of(best->inserts[k].mesh);
+      mend_crossed(*best, k + 2, k_needle * model.frame.diagonal * best->scale, progress);
+    }
     return *best;
   }
   halves.refusal = first->what;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -96,30 +97,50 @@ double leaning_of(const TriangleMesh& mesh, const glm::dvec3& lid, double top) {
   return all > 0.0 ? leaning / all : 0.0;
 }
 
+/// The way up in the frame of the files.
+glm::dvec3 written_up(const MoldHalves& halves, const WrittenMold& mold) {
+  return mold.part_frame ? halves.frame.z : glm::dvec3(0.0, 0.0, 1.0);
+}
+/// A half's pull, in that frame; none of the other bodies.
+glm::dvec3 written_pull(const MoldHalves& halves, const WrittenMold& mold, std::size_t body) {
+  const double sign = body == 0 ? 1.0 : body == 1 ? -1.0 : 0.0;
+  return sign * written_up(halves, mold);
+}
+
+/// From the bodies' frame to that of the files.
+glm::dvec3 written_place(const MoldHalves& halves, bool part_frame, const glm::dvec3& at) {
+  return part_frame ? halves.scale * halves.centre + halves.frame.to_part(at) : at;
+}
+
+/// A body as it is written; an open edge, if it has one.
+WrittenBody written_body(const MoldHalves& halves, const MoldBody& body, const WrittenMold& mold,
+                         const glm::dvec3& pull, std::optional<glm::dvec3>& open_at) {
+  const auto place = [&](const glm::dvec3& at) { return written_place(halves, mold.part_frame, at); };
+  WrittenBody written{
+      .name = body.name, .file = {}, .mesh = rounded(body.mesh, place), .volume = body.volume};
+  tidy_solid(written.mesh, {.tolerance = k_rounding_steps * rounding_step(written.mesh), .pull = pull});
+  const BodyCheck check = check_body(written.mesh.vertices, written.mesh.facets);
+  written.closed = check.open_edges == 0;
+  if (check.open_at) open_at = check.open_at;
+  if (written.closed) written.nonmanifold_edges = split_touching(written.mesh);
+  return written;
+}
+
 std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
   mold.part_frame = part_frame;
   mold.bodies.clear();
   mold.surface = halves.surface_mesh;
-  const auto place = [&](const glm::dvec3& at) {
-    return part_frame ? halves.scale * halves.centre + halves.frame.to_part(at) : at;
-  };
-  for (glm::dvec3& vertex : mold.surface.vertices) vertex = place(vertex);
-  const glm::dvec3 up = part_frame ? halves.frame.z : glm::dvec3(0.0, 0.0, 1.0);
+  for (glm::dvec3& vertex : mold.surface.vertices) vertex = written_place(halves, part_frame, vertex);
+  const glm::dvec3 up = written_up(halves, mold);
   std::optional<glm::dvec3> open_at;
   const auto in_part = [&](const glm::dvec3& at) { return place_in_part(halves, mold, at); };
-  const auto add = [&](const MoldBody& body, const glm::dvec3& pull) {
-    WrittenBody written{
-        .name = body.name, .file = {}, .mesh = rounded(body.mesh, place), .volume = body.volume};
-    tidy_solid(written.mesh, {.tolerance = k_rounding_steps * rounding_step(written.mesh), .pull = pull});
-    const BodyCheck check = check_body(written.mesh.vertices, written.mesh.facets);
-    written.closed = check.open_edges == 0;
-    if (check.open_at) open_at = check.open_at;
-    if (written.closed) written.nonmanifold_edges = split_touching(written.mesh);
-    mold.bodies.push_back(std::move(written));
+  const auto add = [&](const MoldBody& body) {
+    mold.bodies.push_back(
+        written_body(halves, body, mold, written_pull(halves, mold, mold.bodies.size()), open_at));
   };
-  add(halves.core, up);
-  add(halves.cavity, -up);
-  for (const MoldBody& insert : halves.inserts) add(insert, glm::dvec3(0.0));
+  add(halves.core);
+  add(halves.cavity);
+  std::ranges::for_each(halves.inserts, add);
   for (std::size_t k = 0; k < 2; ++k) {
     // As large as the lid, rounded as it is.
     WrittenBody& half = mold.bodies[k];
@@ -166,13 +187,51 @@ WrittenMold written_mold(const MoldHalves& halves) {
   return mold;
 }
 
-std::vector<FacetIndex> uncross_written(MoldHalves& halves, std::size_t half, std::vector<FacetIndex> crossed,
-                                        const Progress& progress) {
-  WrittenBody& body = halves.written.bodies[half];
-  const glm::dvec3 up = halves.written.part_frame ? halves.frame.z : glm::dvec3(0.0, 0.0, 1.0);
-  return uncross(body.mesh,
-                 {.tolerance = k_rounding_steps * rounding_step(body.mesh), .pull = half == 0 ? up : -up},
-                 std::move(crossed), progress);
+std::size_t mend_crossed(MoldHalves& halves, std::size_t number, double thinnest, const Progress& progress) {
+  TriangleMesh& mesh = halves.written.bodies[number].mesh;
+  MoldBody& body = number == 0 ? halves.core : number == 1 ? halves.cavity : halves.inserts[number - 2];
+  std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
+  std::size_t mended = 0;
+  if (!crossed.empty()) {
+    TriangleMesh before = mesh;
+    std::vector<FacetIndex> left = uncross(mesh,
+                                           {.tolerance = k_rounding_steps * rounding_step(mesh),
+                                            .pull = written_pull(halves, halves.written, number)},
+                                           crossed, progress);
+    // What is mended must not become needles.
+    if (find_needles(mesh, thinnest).count > find_needles(before, thinnest).count) {
+      mesh = std::move(before);
+    } else {
+      mended = crossed.size() - std::min(crossed.size(), left.size());
+      crossed = std::move(left);
+    }
+  }
+  body.crossed_facets = crossed.size();
+  if (!crossed.empty())
+    body.crossed_at = place_in_part(halves, halves.written, mesh.corner(crossed.front(), 0));
+  return mended;
+}
+
+bool put_insert(MoldHalves& halves, std::size_t insert, MoldBody body, double thinnest,
+                const Progress& progress) {
+  std::optional<glm::dvec3> open_at;
+  WrittenBody written = written_body(halves, body, halves.written, glm::dvec3(0.0), open_at);
+  if (!written.closed) return false;
+  if (insert == halves.inserts.size()) {
+    halves.inserts.emplace_back();
+    halves.written.bodies.emplace_back();
+  }
+  std::swap(halves.inserts[insert], body);
+  std::swap(halves.written.bodies[insert + 2], written);
+  mend_crossed(halves, insert + 2, thinnest, progress);
+  if (halves.inserts[insert].crossed_facets == 0) return true;
+  std::swap(halves.inserts[insert], body);
+  std::swap(halves.written.bodies[insert + 2], written);
+  if (halves.inserts[insert].mesh.facets.empty()) {
+    halves.inserts.pop_back();
+    halves.written.bodies.pop_back();
+  }
+  return false;
 }
 
 void write_mold(const std::string& folder, const MoldFileSettings& settings, const std::string& unit,

@@ -12,11 +12,18 @@ namespace moldlight {
 /// The bodies as files have them; make_halves() keeps those of its halves.
 [[nodiscard]] WrittenMold written_mold(const MoldHalves& halves);
 
-/// Moves what crosses by rounding in the written core (0) or cavity (1) apart, where that can be done. Throws
-/// Cancelled.
-[[nodiscard]] std::vector<FacetIndex> uncross_written(MoldHalves& halves, std::size_t half,
-                                                      std::vector<FacetIndex> crossed,
-                                                      const Progress& progress);
+/// Facets with a smaller height, as a share of the part's diagonal, are needles.
+inline constexpr double k_needle = 1e-7;
+
+/// Moves what crosses by rounding in a written body (0 core, 1 cavity, then the inserts) apart, where that
+/// makes no facets thinner than `thinnest`; says of the body what still crosses. Returns how many facets no
+/// longer do. Throws Cancelled.
+std::size_t mend_crossed(MoldHalves& halves, std::size_t body, double thinnest, const Progress& progress);
+
+/// Puts a body in the place of an insert, or behind the last one, as it will be written. False, and nothing
+/// changed, where it would not be closed or would cross itself. Throws Cancelled.
+[[nodiscard]] bool put_insert(MoldHalves& halves, std::size_t insert, MoldBody body, double thinnest,
+                              const Progress& progress);
 
 /// Where in the part's coordinates, without the shrinkage, a point of the files is.
 [[nodiscard]] glm::dvec3 place_in_part(const MoldHalves& halves, const WrittenMold& mold,

@@ -50,6 +50,7 @@ class Uncrosser {
     return (vertex - frame_.center) / frame_.diagonal;
   }
   [[nodiscard]] bool on_block(VertexIndex vertex) const {
+    if (query_.pull == glm::dvec3(0.0)) return false;  // no half
     const glm::dvec3& at = mesh_.vertices[vertex];
     return glm::any(glm::equal(at, box_.min)) || glm::any(glm::equal(at, box_.max));
   }

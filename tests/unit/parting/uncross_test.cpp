@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "parting/halves/tidy_solid.hpp"
+#include "parting/mold_files.hpp"
 #include "parting/mold_report.hpp"
 #include "support/boxes.hpp"
 
@@ -47,6 +48,28 @@ TEST(Uncross, LeavesWhatCrossesByMore) {
                        Progress())
                    .empty());
   EXPECT_EQ(mesh.facets, before.facets);
+}
+
+TEST(PutInsert, TakesWhatCanBeMendedAndLeavesTheRestAsItWas) {
+  MoldHalves halves;
+  halves.written.bodies.resize(2);
+  const auto put = [&](const TriangleMesh& mesh) {
+    return put_insert(halves, halves.inserts.size(), {.mesh = mesh, .name = "insert"}, 1e-9, Progress());
+  };
+  EXPECT_FALSE(put(tip_in_slab(1.0)));
+  TriangleMesh open = test::box_mesh({0, 0, 0}, {1, 1, 1});
+  open.facets.pop_back();
+  EXPECT_FALSE(put(open));
+  EXPECT_TRUE(halves.inserts.empty());
+  EXPECT_EQ(halves.written.bodies.size(), 2U);
+  EXPECT_TRUE(put(tip_in_slab(k_step)));
+  ASSERT_EQ(halves.inserts.size(), 1U);
+  ASSERT_EQ(halves.written.bodies.size(), 3U);
+  EXPECT_TRUE(crossed_facets(halves.written.bodies[2].mesh, Progress()).empty());
+  // Another in its place, that fails.
+  EXPECT_FALSE(put_insert(halves, 0, {.mesh = tip_in_slab(1.0), .name = "other"}, 1e-9, Progress()));
+  EXPECT_EQ(halves.inserts[0].name, "insert");
+  EXPECT_EQ(halves.written.bodies[2].name, "insert");
 }
 
 TEST(Certificate, IsNotGivenToHalvesThatCrossOrTouchThemselves) {
