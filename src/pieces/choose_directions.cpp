@@ -96,11 +96,13 @@ class Chooser {
   bool certain_ = true;  // by searches that came to their end
 };
 
-/// With an opposite pair; of several that which leaves least by itself, then the flattest.
+/// With an opposite pair; of several the most liked, of these that which leaves least by itself, then the
+/// flattest.
 std::optional<std::vector<std::size_t>> Chooser::with_pair(CoverSearch& search, int liking,
                                                            std::size_t most) const {
   struct Pair {
     std::vector<std::size_t> columns;
+    LineLiking liking{};
     std::size_t left = 0;
     double depth = 0.0;
   };
@@ -115,9 +117,11 @@ std::optional<std::vector<std::size_t>> Chooser::with_pair(CoverSearch& search, 
     }
     if (columns.size() > most) continue;
     const std::size_t left = moldlight::left_by(access_.task(), columns).count();
-    pairs.push_back({std::move(columns), left / k_same_samples, std::round(depths_[line] / k_same_depth)});
+    pairs.push_back({std::move(columns), lines_[line].liking, left / k_same_samples,
+                     std::round(depths_[line] / k_same_depth)});
   }
-  std::ranges::stable_sort(pairs, {}, [](const Pair& pair) { return std::tuple(pair.left, pair.depth); });
+  std::ranges::stable_sort(pairs, {},
+                           [](const Pair& pair) { return std::tuple(pair.liking, pair.left, pair.depth); });
   if (pairs.size() > k_most_pairs) pairs.resize(k_most_pairs);
   for (const Pair& pair : pairs) {
     const DirectionCover cover =
