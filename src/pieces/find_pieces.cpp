@@ -16,6 +16,7 @@
 #include "mold/surface_samples.hpp"
 #include "pieces/choose_directions.hpp"
 #include "pieces/locked_loops.hpp"
+#include "sweep/sample_rays.hpp"
 
 namespace moldlight {
 
@@ -89,20 +90,22 @@ void stretch(const PartModel& model, std::span<const glm::dvec3> directions,
 std::vector<std::uint32_t> held_by(const PartModel& model, const PiecesResult& result,
                                    const SurfaceWishes& wishes) {
   std::vector<std::uint32_t> held = result.formed.formed_by;
-  const double upright = std::sin(glm::radians(result.query.tau_deg));
-  for (std::size_t k = 0; k < held.size(); ++k) {
-    const FacetIndex facet = result.formed.mesh.pieces[k].facet;
-    const std::uint32_t by = held[k];
-    if (by >= result.count() || SurfaceWishes::of(wishes.stretched_by, facet) == by) continue;
-    const glm::dvec3 &normal = model.geometry.normals[facet], &direction = result.directions[by].direction;
-    const double sine = glm::dot(normal, direction);
-    glm::vec3 point = model.frame.to_unit(result.formed.mesh.middle(k));
-    if (std::abs(sine) <= upright) point = lateral_point(point, normal, {direction, result.query.lateral});
-    const bool blocked = std::abs(sine) <= upright
-                             ? model.rays().first_hit(point, glm::vec3(direction), false).has_value()
-                             : sine < 0.0 || model.rays().surface_point_blocked(point, glm::vec3(normal),
-                                                                                glm::vec3(direction));
-    if (blocked) held[k] = static_cast<std::uint32_t>(result.count());
+  const double sine_of_tau = std::sin(glm::radians(result.query.tau_deg));
+  SampleRays rays;
+  for (std::uint32_t by = 0; by < result.count(); ++by) {
+    const glm::dvec3& direction = result.directions[by].direction;
+    rays.begin({direction, result.query.lateral});
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      const FacetIndex facet = result.formed.mesh.pieces[k].facet;
+      if (result.formed.formed_by[k] != by || SurfaceWishes::of(wishes.stretched_by, facet) == by) continue;
+      const glm::dvec3& normal = model.geometry.normals[facet];
+      rays.add(k, model.frame.to_unit(result.formed.mesh.middle(k)), normal,
+               facet_class(glm::dot(normal, direction), sine_of_tau));
+    }
+    rays.ask(model.rays());
+    rays.for_each([&](std::size_t k, bool plus, bool, float) {
+      if (!plus) held[k] = static_cast<std::uint32_t>(result.count());
+    });
   }
   return held;
 }
