@@ -24,16 +24,10 @@ constexpr double k_off_shelf = 1e-8;
 /// How deep in the part, in diagonals, the front of a blank is to be: the first of these that can be had.
 constexpr double k_depths[] = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4};
 constexpr double k_clear = 1e-6;
+constexpr double k_held = 1e-4;  // less of a way is touched, not blocked
 /// So much do storeys overlap.
 constexpr double k_overlap = 1.1e-3;
 constexpr std::size_t k_section_lines = 64, k_most_steps = 1500, k_exit_lines = 150;
-
-WayFrame frame_along(const glm::dvec3& way) {
-  if (way.z == 0.0) return {glm::dvec3(-way.y, way.x, 0.0), glm::dvec3(0.0, 0.0, 1.0), way};
-  const glm::dvec3 across =
-      way.x == 0.0 && way.y == 0.0 ? glm::dvec3(1, 0, 0) : glm::normalize(glm::dvec3(-way.y, way.x, 0.0));
-  return {across, glm::cross(way, across), way};
-}
 
 /// Between what heights along the way the blank has to begin at a place of its section.
 struct FrontRange {
@@ -310,15 +304,14 @@ SlideBlank slide_blank(const BlankWish& wish) { return BlankMaker(wish).run(); }
 
 WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::dvec3& way) {
   const WayFrame frame = frame_along(way);
-  LineGrid grid{glm::dvec2(INFINITY), glm::dvec2(-INFINITY), k_exit_lines};
-  for (const glm::dvec3& vertex : piece.vertices) {
-    grid.low = glm::min(grid.low, glm::dvec2(frame.of(vertex)));
-    grid.high = glm::max(grid.high, glm::dvec2(frame.of(vertex)));
-  }
+  const LineGrid grid = LineGrid::over(piece, frame, k_exit_lines);
   const auto own = depth_columns(piece, frame, grid), others = depth_columns(still, frame, grid);
   WayOut found;
+  std::size_t lines = 0, held = 0;
   for (std::size_t line = 0; line < grid.lines(); ++line) {
-    if (own[line].empty() || others[line].empty()) continue;
+    if (own[line].empty()) continue;
+    ++lines;
+    if (others[line].empty()) continue;
     // What of the other lies beyond where the piece begins: the thinner of the two is what would be cut.
     double beyond = 0.0;
     const double first = own[line].front().from;
@@ -329,10 +322,13 @@ WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::
     for (const Stretch& stretch : own[line])
       before += std::max(0.0, std::min(stretch.to, last) - stretch.from);
     const double blocked = std::min(beyond, before);
+    held += blocked > k_held ? 1 : 0;
     if (blocked <= found.blocked) continue;
     const glm::dvec2 at = grid.at(line);
-    found = {blocked, at.x * frame.across + at.y * frame.up + others[line].back().to * frame.way};
+    found.blocked = blocked;
+    found.place = at.x * frame.across + at.y * frame.up + others[line].back().to * frame.way;
   }
+  found.share = lines > 0 ? static_cast<double>(held) / static_cast<double>(lines) : 0.0;
   return found;
 }
 

@@ -34,6 +34,7 @@ struct SlideBlank {
 /// 20,000 lines through all of the piece.
 struct WayOut {
   double blocked = 0.0;
+  double share = 0.0;  // of the piece's lines, on which something does
   glm::dvec3 place{0.0};
 };
 [[nodiscard]] WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::dvec3& way);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -10,14 +12,23 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "classify/number_format.hpp"
 #include "mesh/facet_geometry.hpp"
+#include "parting/halves/bodies.hpp"
+#include "parting/mold_files.hpp"
 #include "parting/mold_report.hpp"
 #include "parting/slide_blank.hpp"
+#include "pieces/divided_body.hpp"
 #include "pieces/piece_words.hpp"
 
 namespace moldlight {
 
 namespace {
+
+/// Shares of a body make up all of it but for so much of the block.
+constexpr double k_most_gap = 1e-9;
+/// A body of which less is held is told.
+constexpr double k_near_miss = 0.01;
 
 /// A body between the halves, in the mold's frame, in diagonals of the part.
 struct Between {
@@ -42,7 +53,11 @@ class SolidMaker {
   }
 
   PieceSolids run() {
-    if (halves_are_good() && find_ways() && ways_are_clear() && little_is_left()) name_all();
+    if (halves_are_good()) {
+      find_ways();
+      order_removal();
+      if (little_is_left()) name_all();
+    }
     if (!made_.refusal.empty()) made_.solids.clear();
     return std::move(made_);
   }
@@ -70,46 +85,82 @@ class SolidMaker {
     return true;
   }
 
-  /// For each body between the halves the first direction along which the part does not stand in its way.
-  bool find_ways() {
+  /// For each body between the halves, or share of it, the first direction along which the part does not
+  /// stand in its way.
+  void find_ways() {
     part_ = in_mold(made_.halves, model_.part.mesh, model_.frame.diagonal);
+    DivisionTask task{.part = part_, .ways = {}, .tolerance = result_.query.lateral};
+    for (std::size_t d = 0; d < made_.directions.size(); ++d)
+      if (d != along_ && d != against_) task.ways.push_back({d, way_of(d)});
     const std::size_t count = made_.halves.inserts.size();
     for (std::size_t k = 0; k < count; ++k) {
       progress_.report("pulling the pieces", static_cast<double>(k) / static_cast<double>(count));
-      Between body{.mesh = unscaled(made_.halves, made_.halves.inserts[k].mesh, model_.frame.diagonal),
-                   .number = k,
-                   .direction = std::nullopt};
-      for (std::size_t d = 0; d < made_.directions.size() && !body.direction; ++d) {
-        if (d == along_ || d == against_) continue;
-        if (way_out(body.mesh, part_, way_of(d)).blocked <= result_.query.lateral) body.direction = d;
+      TriangleMesh whole = unscaled(made_.halves, made_.halves.inserts[k].mesh, model_.frame.diagonal);
+      std::vector<BodyShare> shares = divided_body(task, whole, progress_);
+      if (shares.size() > 1 && !put_shares(k, shares)) shares = {{std::move(whole), std::nullopt}};
+      for (std::size_t share = 0; share < shares.size(); ++share) {
+        auto& [mesh, direction] = shares[share];
+        const double far = direction ? reach(mesh, way_of(*direction)) : 0.0;
+        const std::size_t number = share == 0 ? k : made_.halves.inserts.size() - shares.size() + share;
+        between_.push_back({std::move(mesh), number, direction, far});
       }
-      if (body.direction) body.reach = reach(body.mesh, way_of(*body.direction));
-      between_.push_back(std::move(body));
     }
-    // In the order of removal: of one direction that which is nearer to the way out.
+    // Of one direction that which is nearer to the way out is removed first.
     std::ranges::stable_sort(between_, {}, [](const Between& body) {
       return std::tuple(!body.direction.has_value(), body.direction.value_or(0), -body.reach);
     });
+  }
+
+  /// Makes the shares of a body bodies between the halves; false, and nothing changed, where one of them
+  /// could not be written.
+  bool put_shares(std::size_t insert, std::span<const BodyShare> shares) {
+    MoldHalves put = made_.halves;
+    const double scale = model_.frame.diagonal * put.scale;
+    double more = -put.inserts[insert].volume;
+    for (const BodyShare& share : shares) {
+      const BodyCheck check = check_body(share.mesh.vertices, share.mesh.facets);
+      MoldBody body{.mesh = share.mesh, .volume = check.volume * scale * scale * scale};
+      for (glm::dvec3& vertex : body.mesh.vertices) vertex *= scale;
+      more += body.volume;
+      const std::size_t number = &share == shares.data() ? insert : put.inserts.size();
+      if (!put_insert(put, number, std::move(body), k_needle * scale, progress_)) return false;
+    }
+    put.insert_volume += more;
+    put.volume_gap -= more / put.block_volume;
+    if (std::abs(more) > k_most_gap * put.block_volume) return false;
+    made_.halves = std::move(put);
     return true;
   }
 
-  bool ways_are_clear() {
-    for (std::size_t k = 0; k < between_.size(); ++k) {
-      if (!between_[k].direction) break;
-      const Bounds swept = swept_box(between_[k]);
-      for (std::size_t later = k + 1; later < between_.size(); ++later) {
-        progress_.report("pulling the pieces", 1.0);
-        const Bounds other = bounds(between_[later].mesh);
-        if (glm::any(glm::greaterThan(other.min, swept.max)) || glm::any(glm::lessThan(other.max, swept.min)))
-          continue;
-        if (way_out(between_[k].mesh, between_[later].mesh, way_of(*between_[k].direction)).blocked >
-            result_.query.lateral)
-          return refuse(fmt::format("the body that moves along {} would hit one that is removed later",
-                                    pull_words(made_.directions[*between_[k].direction])),
-                        insert_place(made_.halves, between_[k].number));
+  /// Puts the bodies in an order in which each moves past those that are still there: as they are, but for
+  /// those that others have to make way for. Where none of them can, the smallest stays.
+  void order_removal() {
+    for (auto first = between_.begin(); first != between_.end() && first->direction;) {
+      const auto end = std::find_if(first, between_.end(), [](const Between& b) { return !b.direction; });
+      auto next = std::find_if(first, end, [&](const Between& body) {
+        return std::all_of(first, between_.end(),
+                           [&](const Between& other) { return &other == &body || !hits(body, other); });
+      });
+      if (next != end) {
+        std::rotate(first, next, next + 1);
+        ++first;
+        continue;
       }
+      next = std::min_element(first, end, [](const Between& a, const Between& b) {
+        return surface_area(a.mesh) < surface_area(b.mesh);
+      });
+      if (!stuck_) stuck_ = next->direction;
+      next->direction.reset();
+      std::rotate(next, next + 1, between_.end());
     }
-    return true;
+  }
+  /// Whether a body that moves out meets another that is still there.
+  [[nodiscard]] bool hits(const Between& body, const Between& other) const {
+    progress_.report("pulling the pieces", 1.0);
+    const Bounds swept = swept_box(body), still = bounds(other.mesh);
+    if (glm::any(glm::greaterThan(still.min, swept.max)) || glm::any(glm::lessThan(still.max, swept.min)))
+      return false;
+    return way_out(body.mesh, other.mesh, way_of(*body.direction)).blocked > result_.query.lateral;
   }
 
   /// What holds a body all along its way.
@@ -128,7 +179,8 @@ class SolidMaker {
 
   bool little_is_left() {
     double area = 0.0, largest = 0.0;
-    std::size_t number = 0, at = 0;
+    std::size_t number = 0;
+    const Between* most = nullptr;
     for (const Between& body : between_) {
       if (body.direction) continue;
       ++number;
@@ -136,13 +188,32 @@ class SolidMaker {
       area += own;
       if (own <= largest) continue;
       largest = own;
-      at = body.number;
+      most = &body;
     }
     // Half of such a body's surface, at least, lies on the other bodies.
     if (area <= 2.0 * result_.settings.eps * model_.geometry.total_area) return true;
-    return refuse(fmt::format("no single direction releases {} between the halves",
-                              number == 1 ? "a body" : fmt::format("{} bodies", number)),
-                  insert_place(made_.halves, at));
+    if (stuck_)
+      return refuse(fmt::format("the body that moves along {} would hit one that is removed later",
+                                pull_words(made_.directions[*stuck_])),
+                    insert_place(made_.halves, most->number));
+    return refuse(fmt::format("no single direction releases {} between the halves{}",
+                              number == 1 ? "a body" : fmt::format("{} bodies", number), near_miss(*most)),
+                  insert_place(made_.halves, most->number));
+  }
+  /// Walls that coarse facets make lean both ways hold a body on few lines.
+  [[nodiscard]] std::string near_miss(const Between& body) const {
+    double least = k_near_miss;
+    std::size_t direction = made_.directions.size();
+    for (std::size_t d = 0; d < made_.directions.size(); ++d) {
+      if (d == along_ || d == against_) continue;
+      const double share = way_out(body.mesh, part_, way_of(d)).share;
+      if (share >= least) continue;
+      least = share;
+      direction = d;
+    }
+    if (direction == made_.directions.size()) return {};
+    return fmt::format("; along {} only {} of it is held, so a finer mesh may help",
+                       pull_words(made_.directions[direction]), share_text(least, 1.0));
   }
 
   void name_all() {
@@ -153,23 +224,23 @@ class SolidMaker {
     };
     for (const std::size_t k : {0, 1}) {
       const std::size_t direction = k == 0 ? along_ : against_;
-      made_.solids[k] = {direction, halves.part_height};
+      made_.solids[k] = {direction, halves.part_height, 1};
       name(k, piece_name(direction));
     }
-    std::size_t left = 0;
-    for (std::size_t k = 0, in_direction = 0; k < between_.size(); ++k) {
+    std::map<std::optional<std::size_t>, std::size_t> all, named;
+    for (const Between& body : between_) ++all[body.direction];
+    std::size_t sequence = 1;
+    for (std::size_t k = 0; k < between_.size(); ++k) {
       const Between& body = between_[k];
-      const std::size_t written = body.number + 2;
+      const std::size_t written = body.number + 2, number = ++named[body.direction];
       if (!body.direction) {
-        name(written, fmt::format("left_{}", ++left));
+        name(written, fmt::format("left_{}", number));
         continue;
       }
-      const bool first = k == 0 || between_[k - 1].direction != body.direction;
-      const bool last = k + 1 == between_.size() || between_[k + 1].direction != body.direction;
-      in_direction = first ? 1 : in_direction + 1;
-      name(written, first && last ? piece_name(*body.direction)
-                                  : fmt::format("{}_{}", piece_name(*body.direction), in_direction));
-      made_.solids[written] = {body.direction, model_.frame.diagonal * travel_of(body)};
+      if (k == 0 || between_[k - 1].direction != body.direction) ++sequence;
+      name(written, all[body.direction] == 1 ? piece_name(*body.direction)
+                                             : fmt::format("{}_{}", piece_name(*body.direction), number));
+      made_.solids[written] = {body.direction, model_.frame.diagonal * travel_of(body), sequence};
     }
   }
 
@@ -192,6 +263,7 @@ class SolidMaker {
   PieceSolids made_;
   TriangleMesh part_;
   std::vector<Between> between_;
+  std::optional<std::size_t> stuck_;  // direction of a body that others do not let out
 };
 
 }  // namespace

@@ -17,6 +17,7 @@ namespace moldlight {
 struct PieceSolid {
   std::optional<std::size_t> direction;  // number of it; none: no direction releases the body
   double travel = 0.0;                   // until it is clear of the part, in the part's unit
+  std::size_t sequence = 0;              // when it is removed, the halves first, at 1; 0: it stays
 };
 
 struct PieceSolids {
@@ -33,10 +34,11 @@ struct PieceSolids {
 /// Directions of which one may be that of the halves: the first of an opposite pair, else all of them.
 [[nodiscard]] std::vector<std::size_t> halves_directions(const PiecesResult& result);
 
-/// `halves` are those along the direction of this number, whatever the undercut. Refused where one of the
-/// bodies is not closed, crosses itself, or hits the part or a body that is removed later by more than the
-/// lateral tolerance, on some 20,000 lines along its way. Bodies that nothing releases may stay if their
-/// surface is no more than twice what the settings leave over. Throws Cancelled.
+/// `halves` are those along the direction of this number, whatever the undercut. What no single direction
+/// releases between them is divided by planes (divided_body). Refused where one of the bodies is not closed,
+/// crosses itself, or hits the part or a body that is removed later by more than the lateral tolerance, on
+/// some 20,000 lines along its way. Bodies that nothing releases may stay if their surface is no more than
+/// twice what the settings leave over. Throws Cancelled.
 [[nodiscard]] PieceSolids piece_solids(const PartModel& model, const PiecesResult& result, std::size_t along,
                                        MoldHalves halves, const Progress& progress);
 

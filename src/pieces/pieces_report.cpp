@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -99,18 +98,6 @@ Json flexible_json(const PiecesResult& result) {
   return {{"undercuts", undercuts}, {"cuts", result.cuts ? Json(*result.cuts) : Json()}};
 }
 
-/// When a body is removed: the halves first, then direction by direction; 0 for what stays.
-std::size_t sequence_of(const PieceSolids& solids, std::size_t body) {
-  if (body < 2) return 1;
-  if (!solids.solids[body].direction) return 0;
-  std::set<std::size_t> before;
-  for (std::size_t k = 2; k < solids.solids.size(); ++k) {
-    if (solids.solids[k].direction < solids.solids[body].direction)
-      before.insert(*solids.solids[k].direction);
-  }
-  return 2 + before.size();
-}
-
 Json solids_json(const PieceSolids& solids) {
   const MoldHalves& halves = solids.halves;
   Json refused, bodies = Json::array();
@@ -119,9 +106,8 @@ Json solids_json(const PieceSolids& solids) {
                {"place", solids.refused_at ? point_json(*solids.refused_at) : Json()}};
   }
   for (std::size_t k = 0; k < solids.solids.size(); ++k) {
-    const auto& [direction, travel] = solids.solids[k];
+    const auto& [direction, travel, sequence] = solids.solids[k];
     Json body = written_body_json(halves.written.bodies[k]);
-    const std::size_t sequence = sequence_of(solids, k);
     body.update({{"name", halves.written.bodies[k].name},
                  {"order", direction ? Json(*direction + 1) : Json()},
                  {"direction", direction ? point_json(solids.directions[*direction]) : Json()},
@@ -259,22 +245,24 @@ Classification formed_part(const PartModel& model, const PiecesResult& result) {
   return shown;
 }
 
-std::vector<StillBody> pulled_pieces(const PartModel& model, const PieceSolids& solids, Palette palette) {
+glm::dvec3 pulled_by(const PartModel& model, const PieceSolids& solids, std::size_t body) {
   constexpr double k_gap = 0.15;  // beside the part, in diagonals
+  const auto& [direction, travel, sequence] = solids.solids[body];
+  return direction ? (travel + k_gap * model.frame.diagonal) * solids.directions[*direction]
+                   : glm::dvec3(0.0);
+}
+
+std::vector<StillBody> pulled_pieces(const PartModel& model, const PieceSolids& solids, Palette palette) {
   const MoldHalves& halves = solids.halves;
   std::vector<StillBody> bodies;
   for (std::size_t k = 0; k < solids.solids.size(); ++k) {
-    const auto& [direction, travel] = solids.solids[k];
     const MoldBody& solid = k == 0 ? halves.core : k == 1 ? halves.cavity : halves.inserts[k - 2];
     StillBody body{.mesh = in_part(halves, solid.mesh),
                    .colour = region_colour(Region::undercut, palette),
                    .label = halves.written.bodies[k].name};
     std::ranges::replace(body.label, '_', ' ');
-    if (direction) {
-      const double away = travel + k_gap * model.frame.diagonal;
-      body.motion = glm::translate(body.motion, away * solids.directions[*direction]);
-      body.colour = piece_colour(*direction, palette);
-    }
+    body.motion = glm::translate(body.motion, pulled_by(model, solids, k));
+    if (solids.solids[k].direction) body.colour = piece_colour(*solids.solids[k].direction, palette);
     bodies.push_back(std::move(body));
   }
   return bodies;

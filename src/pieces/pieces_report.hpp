@@ -30,7 +30,9 @@ namespace moldlight {
 
 /// The part in the colours of core, cavity and undercut: what the first two directions and the others form.
 [[nodiscard]] Classification formed_part(const PartModel& model, const PiecesResult& result);
-/// The solids in the part's coordinates, without the shrinkage, beside the part; none where there are none.
+/// By how much a solid moves until it is beside the part, in the part's coordinates.
+[[nodiscard]] glm::dvec3 pulled_by(const PartModel& model, const PieceSolids& solids, std::size_t body);
+/// The solids there, without the shrinkage; none where there are none.
 [[nodiscard]] std::vector<StillBody> pulled_pieces(const PartModel& model, const PieceSolids& solids,
                                                    Palette palette);
 

@@ -21,6 +21,22 @@ struct Meeting {
 
 }  // namespace
 
+WayFrame frame_along(const glm::dvec3& way) {
+  if (way.z == 0.0) return {glm::dvec3(-way.y, way.x, 0.0), glm::dvec3(0.0, 0.0, 1.0), way};
+  const glm::dvec3 across =
+      way.x == 0.0 && way.y == 0.0 ? glm::dvec3(1, 0, 0) : glm::normalize(glm::dvec3(-way.y, way.x, 0.0));
+  return {across, glm::cross(way, across), way};
+}
+
+LineGrid LineGrid::over(const TriangleMesh& mesh, const WayFrame& frame, std::size_t count) {
+  LineGrid grid{glm::dvec2(INFINITY), glm::dvec2(-INFINITY), count};
+  for (const glm::dvec3& vertex : mesh.vertices) {
+    grid.low = glm::min(grid.low, glm::dvec2(frame.of(vertex)));
+    grid.high = glm::max(grid.high, glm::dvec2(frame.of(vertex)));
+  }
+  return grid;
+}
+
 glm::dvec2 LineGrid::at(std::size_t line) const {
   const glm::dvec2 cell(static_cast<double>(line % count) + 0.5, static_cast<double>(line / count) + 0.5);
   return low + cell / static_cast<double>(count) * (high - low);

@@ -22,11 +22,16 @@ struct WayFrame {
   }
 };
 
+/// For a unit way; upward is along z where it lies across that.
+[[nodiscard]] WayFrame frame_along(const glm::dvec3& way);
+
 /// Lines at the middles of `count` times `count` equal cells of a rectangle across the way.
 struct LineGrid {
   glm::dvec2 low{0.0}, high{0.0};
   std::size_t count = 64;
 
+  /// Over a mesh's vertices.
+  [[nodiscard]] static LineGrid over(const TriangleMesh& mesh, const WayFrame& frame, std::size_t count);
   [[nodiscard]] std::size_t lines() const { return count * count; }
   [[nodiscard]] glm::dvec2 at(std::size_t line) const;
 };

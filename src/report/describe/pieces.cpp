@@ -167,10 +167,10 @@ Section solids_section(const ReportContext& context, const PiecesResult& result,
   const std::size_t number_left = solids.solids.size() - order.size();
   std::ranges::stable_sort(order, {}, [&](std::size_t k) {
     const std::string& name = halves.written.bodies[k].name;
-    return std::tuple(k >= 2, *solids.solids[k].direction, name.size(), name);
+    return std::tuple(solids.solids[k].sequence, *solids.solids[k].direction, name.size(), name);
   });
   for (const std::size_t k : order) {
-    const auto& [direction, travel] = solids.solids[k];
+    const auto& [direction, travel, sequence] = solids.solids[k];
     const std::string key = fmt::format("/solids/bodies/{}/", k);
     table.rows.push_back(
         {{{halves.written.bodies[k].name},

@@ -16,6 +16,7 @@
 #include "support/classify_mesh.hpp"
 #include "support/mold_checks.hpp"
 #include "support/shapes.hpp"
+#include "support/solid_builder.hpp"
 
 namespace moldlight {
 namespace {
@@ -129,6 +130,56 @@ TEST(PieceSolids, CanBeCancelled) {
     EXPECT_THROW(static_cast<void>(piece_solids(study.model(), result, 0, halves, progress)), Cancelled)
         << calls;
   }
+}
+
+/// A block with a tunnel along x around a post.
+TriangleMesh tunnel_with_post() {
+  test::SolidBuilder builder;
+  const glm::dvec3 low(-20, -15, -12), high(20, 15, 12), tunnel_low(-20, -6, -5), tunnel_high(20, 6, 5);
+  const test::Loop2 post = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
+  builder.box(low, high, {0, 1});
+  for (const int face : {0, 1})
+    builder.face(test::box_face(low, high, face), {test::box_face(tunnel_low, tunnel_high, face)});
+  builder.box(tunnel_low, tunnel_high, {0, 1, 4, 5}, true);
+  for (const int face : {4, 5}) {
+    test::Loop inward = test::box_face(tunnel_low, tunnel_high, face);
+    std::ranges::reverse(inward);
+    builder.face(inward, {test::at_height(post, face == 4 ? -5 : 5)});
+  }
+  builder.walls(test::at_height(post, -5), test::at_height(post, 5));
+  return builder.mesh();
+}
+
+/// What fills the tunnel goes around the post: it comes out at both ends.
+TEST(PieceSolids, ABodyIsDividedWhereNoDirectionReleasesItWhole) {
+  Questions questions;
+  questions.pieces.fixed = {k_up, -k_up, {1, 0, 0}, {-1, 0, 0}};
+  Study study(test::model_of(tunnel_with_post()), questions);
+  const PieceSolids& solids = study.find<PieceSolids>(Progress());
+  ASSERT_EQ(solids.refusal, "");
+  ASSERT_EQ(solids.solids.size(), 4U);
+  EXPECT_LE(std::abs(solids.halves.volume_gap), 1e-9);
+  const TriangleMesh& part = study.model().part.mesh;
+  std::vector<TriangleMesh> bodies = {part};
+  for (const WrittenBody& body : solids.halves.written.bodies) {
+    EXPECT_TRUE(body.closed) << body.name;
+    bodies.push_back(body.mesh);
+  }
+  EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
+  const double slack = study.model().frame.diagonal / 2048.0;
+  for (const std::size_t k : {2U, 3U}) {
+    ASSERT_TRUE(solids.solids[k].direction);
+    const glm::dvec3 way = solids.directions[*solids.solids[k].direction];
+    EXPECT_EQ(std::abs(way.x), 1.0);
+    EXPECT_EQ(solids.halves.written.bodies[k].name,
+              "piece_" + std::to_string(*solids.solids[k].direction + 1));
+    EXPECT_LE(way_out(bodies[k + 1], part, way).blocked, slack);
+    const std::size_t other = 5 - k;
+    if (solids.solids[k].sequence < solids.solids[other].sequence) {
+      EXPECT_LE(way_out(bodies[k + 1], bodies[other + 1], way).blocked, slack);
+    }
+  }
+  EXPECT_EQ(solids.solids[2].sequence + solids.solids[3].sequence, 5U);
 }
 
 TEST(PieceSolids, AskForAPieceMoreWhereNoTwoDirectionsAreOpposite) {

@@ -1,0 +1,122 @@
+#include "pieces/plane_cut.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "parting/halves/bodies.hpp"
+#include "parting/halves/depth_columns.hpp"
+#include "parting/halves/plane_mesh.hpp"
+#include "parting/halves/sheets.hpp"
+
+namespace moldlight {
+
+namespace {
+
+constexpr double k_off_plane = 1e-9;
+
+using Facets = std::vector<std::array<VertexIndex, 3>>;
+
+class Cutter {
+ public:
+  Cutter(const TriangleMesh& solid, const HalfSpace& half) : half_(half), vertices_(solid.vertices) {
+    for (const glm::dvec3& vertex : vertices_) heights_.push_back(beyond(vertex, half));
+  }
+
+  std::optional<CutSolid> run(const Facets& facets) {
+    for (const auto& facet : facets) {
+      for (const VertexIndex corner : facet)
+        if (std::abs(heights_[corner]) < k_off_plane) return std::nullopt;
+      add(facet);
+    }
+    if (!close()) return std::nullopt;
+    return CutSolid{bodies(inside_), bodies(outside_)};
+  }
+
+ private:
+  [[nodiscard]] bool is_inside(VertexIndex vertex) const { return heights_[vertex] < 0.0; }
+
+  /// Where an edge meets the plane, the same for both of its facets.
+  VertexIndex crossing(VertexIndex a, VertexIndex b) {
+    if (a > b) std::swap(a, b);
+    const auto [entry, fresh] = crossings_.try_emplace({a, b}, static_cast<VertexIndex>(vertices_.size()));
+    if (fresh)
+      vertices_.push_back(glm::mix(vertices_[a], vertices_[b], heights_[a] / (heights_[a] - heights_[b])));
+    return entry->second;
+  }
+
+  void add(std::array<VertexIndex, 3> facet) {
+    const auto within = std::ranges::count_if(facet, [&](VertexIndex corner) { return is_inside(corner); });
+    if (within == 0 || within == 3) {
+      (within == 3 ? inside_ : outside_).push_back(facet);
+      return;
+    }
+    // The corner that is alone on its side first.
+    const bool alone_inside = within == 1;
+    std::ranges::rotate(facet, std::ranges::find_if(facet, [&](VertexIndex corner) {
+                          return is_inside(corner) == alone_inside;
+                        }));
+    const auto [a, b, c] = facet;
+    const VertexIndex to = crossing(a, b), from = crossing(c, a);
+    Facets &own = alone_inside ? inside_ : outside_, &other = alone_inside ? outside_ : inside_;
+    own.push_back({a, to, from});
+    other.push_back({to, b, c});
+    other.push_back({to, c, from});
+    rim_.emplace_back(to, from);
+  }
+
+  /// Puts the section on both sides.
+  bool close() {
+    if (rim_.empty()) return true;
+    const WayFrame frame = frame_along(half_.normal);
+    PlaneMesh plane(glm::dvec2(-4.0), glm::dvec2(4.0));
+    std::map<std::uint32_t, VertexIndex> vertex_of;
+    std::map<VertexIndex, std::uint32_t> point_of;
+    for (const auto& [edge, vertex] : crossings_) {
+      point_of[vertex] = plane.add_point(on_grid(glm::dvec2(frame.of(vertices_[vertex]))));
+      if (!vertex_of.try_emplace(point_of[vertex], vertex).second) return false;
+    }
+    for (const auto& [a, b] : rim_)
+      if (plane.add_segment(point_of[a], point_of[b], PlaneMesh::k_outline)) return false;
+    plane.find_inside();
+    for (const PlaneMesh::Triangle& triangle : plane.triangles()) {
+      if (!triangle.inside) continue;
+      std::array<VertexIndex, 3> facet{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto vertex = vertex_of.find(triangle.corners[k]);
+        if (vertex == vertex_of.end()) return false;
+        facet[k] = vertex->second;
+      }
+      inside_.push_back(facet);
+      outside_.push_back({facet[0], facet[2], facet[1]});
+    }
+    return check_body(vertices_, inside_).open_edges == 0 && check_body(vertices_, outside_).open_edges == 0;
+  }
+
+  [[nodiscard]] std::vector<TriangleMesh> bodies(const Facets& facets) const {
+    std::vector<TriangleMesh> meshes;
+    for (const Facets& body : connected_bodies(vertices_.size(), facets))
+      meshes.push_back(body_mesh(vertices_, body));
+    return meshes;
+  }
+
+  const HalfSpace& half_;
+  std::vector<glm::dvec3> vertices_;
+  std::vector<double> heights_;  // of those of the solid
+  std::map<std::pair<VertexIndex, VertexIndex>, VertexIndex> crossings_;
+  std::vector<std::pair<VertexIndex, VertexIndex>> rim_;
+  Facets inside_, outside_;
+};
+
+}  // namespace
+
+std::optional<CutSolid> cut_solid(const TriangleMesh& solid, const HalfSpace& half) {
+  return Cutter(solid, half).run(solid.facets);
+}
+
+}  // namespace moldlight
