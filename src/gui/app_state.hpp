@@ -112,10 +112,13 @@ struct MoldSolids {
   std::vector<ViewSolid> shown;  // core, cavity, each insert; none where there are no halves
 };
 
-/// A mold of several pieces, and what each forms of the part as it is drawn.
+/// A mold of several pieces, what each forms of the part as it is drawn, then its solids.
 struct MoldOfPieces {
   std::shared_ptr<const PiecesResult> result;
-  std::shared_ptr<const std::vector<ViewBody>> sheets;
+  std::shared_ptr<const PieceSolids> solids;  // null where the directions are not enough
+  std::shared_ptr<const std::vector<ViewBody>> bodies;
+
+  [[nodiscard]] bool has_solids() const { return solids && solids->refusal.empty(); }
 };
 
 /// A line outlives changes of the mold's settings until another one is there, but not those of the direction;

@@ -93,7 +93,9 @@ TEST_F(Mold, ShowsMoldsOfSeveralPiecesAndRemovesThem) {
   ASSERT_TRUE(shown != nullptr);
   EXPECT_EQ(shown->result->count(), 3U) << "as many as are enough";
   EXPECT_TRUE(shown->result->enough);
-  EXPECT_EQ(shown->sheets->size(), 3U);
+  ASSERT_TRUE(shown->has_solids());
+  EXPECT_EQ(shown->bodies->size(), 3U + shown->solids->solids.size());
+  EXPECT_EQ(mold().pieces[0].solids, nullptr) << "too few directions";
   EXPECT_GT(mold().pieces[0].result->left_area, 100.0);
   const auto closed = window.pixels();
   click("2 pieces");

@@ -76,16 +76,21 @@ std::vector<MoldOfPieces> found_pieces(Study study, Palette palette, const Progr
     questions.pieces.most = count;
     study.ask(std::move(questions));
     const PiecesResult& found = study.find<PiecesResult>(progress);
-    auto sheets = std::make_shared<std::vector<ViewBody>>();
+    const UnitFrame& frame = study.model().frame;
+    auto bodies = std::make_shared<std::vector<ViewBody>>();
     TriangleMesh sheet{.vertices = found.formed.mesh.vertices, .facets = {}};
     for (std::size_t k = 0; k < found.count(); ++k) {
       sheet.facets.clear();
       for (std::size_t piece = 0; piece < found.formed.formed_by.size(); ++piece)
         if (found.formed.formed_by[piece] == k)
           sheet.facets.push_back(found.formed.mesh.pieces[piece].corners);
-      sheets->push_back(view_body(sheet, study.model().frame, piece_colour(k, palette)));
+      bodies->push_back(view_body(sheet, frame, piece_colour(k, palette)));
     }
-    all.push_back({study.known<PiecesResult>(), std::move(sheets)});
+    all.push_back({study.known<PiecesResult>(), nullptr, bodies});
+    if (!found.enough) continue;
+    for (const StillBody& solid : pulled_pieces(study.model(), study.find<PieceSolids>(progress), palette))
+      bodies->push_back(view_body(solid.mesh, frame, solid.colour));
+    all.back().solids = study.known<PieceSolids>();
   }
   return all;
 }
@@ -249,13 +254,13 @@ void StudyFinder::find_pieces(const AppState& state, MoldState& mold, bool movin
   const Palette palette = state.settings.look.palette;
   const bool wanted = state.model && state.mold_choices.pieces;
   if (pieces_of_ &&
-      (wanted ? *pieces_of_ != std::pair(inputs_of<PiecesResult>(state), palette) : pieces_job_.running())) {
+      (wanted ? *pieces_of_ != std::pair(inputs_of<PieceSolids>(state), palette) : pieces_job_.running())) {
     pieces_job_.give_up();
     pieces_of_.reset();
     mold.pieces.clear();
   }
   if (wanted && !moving && !pieces_of_) {
-    pieces_of_ = std::pair(inputs_of<PiecesResult>(state), palette);
+    pieces_of_ = std::pair(inputs_of<PieceSolids>(state), palette);
     pieces_job_.start([study = asked_study(state), palette](const Progress& progress) {
       return found_pieces(study, palette, progress);
     });

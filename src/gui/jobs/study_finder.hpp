@@ -79,7 +79,7 @@ class StudyFinder {
   std::optional<Inputs<ActionPlan>> plan_of_;
   std::optional<Inputs<DraftCheck>> line_of_;
   std::optional<Inputs<MoldHalves>> solids_of_;
-  std::optional<std::pair<Inputs<PiecesResult>, Palette>> pieces_of_;
+  std::optional<std::pair<Inputs<PieceSolids>, Palette>> pieces_of_;
   std::shared_ptr<const SplitMesh> planned_, lined_;  // of which there is a plan, a line
   Asked<moldlight::MoldLine>::Inputs line_inputs_;    // of that line
   using Sources = std::array<std::shared_ptr<const void>, 3>;

@@ -144,13 +144,11 @@ void draw_loops(const PanelContext& context, RowCursor& cursor) {
   draw_cosmetic(context);
 }
 
-void draw_halves(const PanelContext& context) {
+/// What is known of the bodies, with a tick each, or what is wrong with them.
+void draw_lines(const PanelContext& context, const std::vector<HalvesLine>& halves, float alpha) {
   const Ui& ui = context.ui;
-  const AppState& state = context.state;
   ImDrawList& list = window_list();
   const float width = room_left();
-  const float alpha = state.mold.solids_awaited ? 0.6F : 1.0F;
-  const std::vector<HalvesLine> halves = halves_lines(state);
   const bool doubtful = std::ranges::any_of(halves, &HalvesLine::doubt);  // then nothing has a tick
   constexpr std::size_t k_most_lines = 6;
   for (const HalvesLine& each : halves) {
@@ -193,6 +191,13 @@ void draw_pieces(const PanelContext& context) {
     name_item(ui, fmt::format("{} pieces", result.count()));
     tooltip(ui, plural(result.count(), "piece"), with_minus(pieces_sentence(*state.model, result)));
   }
+  if (!shown->solids) return;
+  const std::string refusal = sentence_of(solids_refusal(*state.model, *shown->solids));
+  draw_lines(
+      context,
+      {shown->has_solids() ? HalvesLine{plural(shown->solids->solids.size(), "solid") + " with certificate"}
+                           : HalvesLine{with_minus(refusal), true}},
+      1.0F);
 }
 
 /// What is known of the line, or of the halves; while one of them is found, how far that is.
@@ -260,7 +265,7 @@ void draw_mold_panel(const PanelContext& context, TableBar& bar) {
   parts.table = [&](RowCursor&) {
     draw_pieces(context);
     if (pieces != nullptr) return;
-    draw_halves(context);
+    draw_lines(context, halves_lines(context.state), mold.solids_awaited ? 0.6F : 1.0F);
     ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
     if (button(ui, "Export the mold…", {.width = room_left()})) context.edits.dialogs.exporting_mold = true;
     name_item(ui, "export mold");

@@ -13,6 +13,7 @@
 #include "gui/draw/ui.hpp"
 #include "gui/view/revision_view.hpp"
 #include "pieces/piece_words.hpp"
+#include "pieces/pieces_report.hpp"
 
 namespace moldlight::gui {
 
@@ -39,6 +40,44 @@ Ways ways_of(const ActionPlan* plan) {
     way = std::max(way, action.travel);
   }
   return ways;
+}
+
+/// How many pieces are removed one after the other; the halves count as one.
+double turns_of(const MoldOfPieces& pieces) {
+  if (!pieces.has_solids()) return static_cast<double>(pieces.result->count());
+  return static_cast<double>(std::ranges::max(pieces.solids->solids, {}, &PieceSolid::sequence).sequence);
+}
+
+/// What is formed lies on the part and moves with its piece, or stays where there are solids, which move.
+std::vector<glm::dmat4> places_of_pieces(const AppState& state, const MoldOfPieces& pieces, double open) {
+  const auto moved = [&](std::size_t turn) {
+    return std::clamp(open * turns_of(pieces) - static_cast<double>(turn), 0.0, 1.0);
+  };
+  std::vector<glm::dmat4> places;
+  const auto& directions = pieces.result->directions;
+  for (std::size_t k = 0; k < directions.size(); ++k)
+    places.push_back(glm::translate(
+        nearer(state.camera),
+        pieces.has_solids() ? glm::dvec3(0.0) : 2.0 * k_mold_travel * moved(k) * directions[k].direction));
+  for (std::size_t k = 0; pieces.has_solids() && k < pieces.solids->solids.size(); ++k) {
+    const std::size_t sequence = pieces.solids->solids[k].sequence;
+    const glm::dvec3 way = pulled_by(*state.model, *pieces.solids, k) / state.model->frame.diagonal;
+    places.push_back(open > 0.0
+                         ? glm::translate(glm::dmat4(1.0), (sequence > 0 ? moved(sequence - 1) : 0.0) * way)
+                         : glm::scale(glm::dmat4(1.0), glm::dvec3(0.0)));
+  }
+  return places;
+}
+
+/// Which piece moves, and where to.
+std::string moving_text(const MoldOfPieces& pieces, double open) {
+  const auto turn = static_cast<std::size_t>(std::ceil(open * turns_of(pieces)));
+  if (!pieces.has_solids())
+    return fmt::format("piece {}, {}", turn, pull_words(pieces.result->directions[turn - 1].direction));
+  const auto& solids = pieces.solids->solids;
+  const std::size_t direction = *std::ranges::find(solids, turn, &PieceSolid::sequence)->direction;
+  return fmt::format("{}, {}", turn == 1 ? std::string("halves") : fmt::format("piece {}", direction + 1),
+                     pull_words(pieces.solids->directions[direction]));
 }
 
 /// Ends of the three stages on the slider: what moves has as much of it as the others, however long its way.
@@ -126,23 +165,13 @@ OpenedMold opened_mold(const ActionPlan* plan, double open) {
 }
 
 std::shared_ptr<const std::vector<ViewBody>> shown_bodies(const AppState& state) {
-  if (const MoldOfPieces* pieces = shown_pieces(state)) return pieces->sheets;
+  if (const MoldOfPieces* pieces = shown_pieces(state)) return pieces->bodies;
   const auto& bodies = state.actions.bodies;
   return {bodies, bodies ? &bodies->bodies : nullptr};
 }
 
 std::vector<glm::dmat4> body_places(const AppState& state, double open, double share) {
-  if (const MoldOfPieces* pieces = shown_pieces(state)) {
-    std::vector<glm::dmat4> places;
-    const auto& directions = pieces->result->directions;
-    for (std::size_t k = 0; k < directions.size(); ++k) {
-      const double moved =
-          std::clamp(open * static_cast<double>(directions.size()) - static_cast<double>(k), 0.0, 1.0);
-      places.push_back(
-          glm::translate(nearer(state.camera), 2.0 * k_mold_travel * moved * directions[k].direction));
-    }
-    return places;
-  }
+  if (const MoldOfPieces* pieces = shown_pieces(state)) return places_of_pieces(state, *pieces, open);
   const auto& plan = state.actions.plan;
   const auto& bodies = state.actions.bodies;
   const SideAction* const chosen = chosen_action(state);
@@ -198,12 +227,8 @@ std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut)
 }
 
 std::string opening_text(const AppState& state, double open) {
-  if (const MoldOfPieces* pieces = shown_pieces(state); pieces != nullptr && open > 0.0) {
-    const auto count = static_cast<double>(pieces->result->count());
-    const auto moving = static_cast<std::size_t>(std::ceil(open * count)) - 1;
-    return with_minus(
-        fmt::format("piece {}, {}", moving + 1, pull_words(pieces->result->directions[moving].direction)));
-  }
+  if (const MoldOfPieces* pieces = shown_pieces(state); pieces != nullptr && open > 0.0)
+    return with_minus(moving_text(*pieces, open));
   const double diagonal = state.model->frame.diagonal;
   const ActionPlan* const plan = state.actions.plan.get();
   const OpenedMold opened = opened_mold(plan, open);

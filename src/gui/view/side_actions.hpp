@@ -46,7 +46,7 @@ struct OpenedMold {
 /// What moves first, slides and unscrewing cores, the halves, or lifters, by how far the mold is opened, [0,
 /// 1]; halves alone where there is no plan. Each of them that moves has an equal share.
 [[nodiscard]] OpenedMold opened_mold(const ActionPlan* plan, double open);
-/// The bodies of the plan, or the sheets of the mold of several pieces that is looked at; null for none.
+/// The bodies of the plan, or those of the mold of several pieces that is looked at; null for none.
 [[nodiscard]] std::shared_ptr<const std::vector<ViewBody>> shown_bodies(const AppState& state);
 /// Where each body of the plan is drawn, unit frame: in a mold that opens all of them, by how far it has; in
 /// a closed one that of the chosen action, out by a share [0, 1] of its travel. They leave with their halves.
