@@ -220,6 +220,16 @@ double BoxPile::smallest_gap() const {
   return smallest;
 }
 
+static void fill_randomly(BoxPile& pile, Random& random, bool edges_touch) {
+  pile.filled.assign(static_cast<std::size_t>(pile.cells(0) * pile.cells(1) * pile.cells(2)), 0);
+  const std::size_t boxes = 2 + random.below(5), carved = random.below(4);
+  for (std::size_t i = 0; i < boxes; ++i) set_random_box(pile, random, 1);
+  for (std::size_t i = 0; i < carved; ++i) set_random_box(pile, random, 0);
+  if (std::count(pile.filled.begin(), pile.filled.end(), 1) == 0) set_random_box(pile, random, 1);
+  while (!edges_touch && fill_touching_edges(pile)) {
+  }
+}
+
 BoxPile random_pile(std::uint32_t seed, bool edges_touch) {
   Random random(seed);
   BoxPile pile;
@@ -230,13 +240,17 @@ BoxPile random_pile(std::uint32_t seed, bool edges_touch) {
       along.push_back(along.back() + 0.25 * std::pow(16.0, random.between(0.0, 1.0)));
     }
   }
-  pile.filled.assign(static_cast<std::size_t>(pile.cells(0) * pile.cells(1) * pile.cells(2)), 0);
-  const std::size_t boxes = 2 + random.below(5), carved = random.below(4);
-  for (std::size_t i = 0; i < boxes; ++i) set_random_box(pile, random, 1);
-  for (std::size_t i = 0; i < carved; ++i) set_random_box(pile, random, 0);
-  if (std::count(pile.filled.begin(), pile.filled.end(), 1) == 0) set_random_box(pile, random, 1);
-  while (!edges_touch && fill_touching_edges(pile)) {
+  fill_randomly(pile, random, edges_touch);
+  return pile;
+}
+
+BoxPile voxel_pile(int cells, std::uint32_t seed) {
+  Random random(seed);
+  BoxPile pile;
+  for (auto& along : pile.planes) {
+    for (int plane = 0; plane <= cells; ++plane) along.push_back(plane);
   }
+  fill_randomly(pile, random, false);
   return pile;
 }
 

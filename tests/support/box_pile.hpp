@@ -31,6 +31,9 @@ struct BoxPile {
 /// it may touch along an edge, where four facets meet then; else cells are filled until none do.
 [[nodiscard]] BoxPile random_pile(std::uint32_t seed, bool edges_touch = false);
 
+/// The same with so many cells of size 1 along each axis.
+[[nodiscard]] BoxPile voxel_pile(int cells, std::uint32_t seed);
+
 /// Its surface, closed and outward: the faces between filled and empty cells, each cut along a random
 /// diagonal, and some of the vertices in planes and along straight edges taken out again.
 [[nodiscard]] TriangleMesh pile_mesh(const BoxPile& pile, std::uint32_t seed);
