@@ -12,7 +12,8 @@ namespace {
 
 constexpr double k_reach = 2.0;         // lateral tolerances
 constexpr double k_same_height = 1e-6;  // of the diagonal
-constexpr double k_cell = 4.0;          // reaches
+constexpr double k_cell = 4.0;          // reaches, and at least this share of the diagonal:
+constexpr double k_least_cell = 1e-3;
 constexpr std::uint8_t k_by_core = 1, k_by_cavity = 2, k_by_both = 3;
 
 }  // namespace
@@ -23,7 +24,8 @@ WallCaps::WallCaps(const PartModel& model, const MoldLine& line, const SheetFram
       cut_height_(line.assignment.height),
       cut_tolerance_(k_same_height * frame.diagonal),
       cut_at_((line.assignment.height - glm::dot(frame.centre, direction_)) / frame.diagonal),
-      reach_(k_reach * line.assignment.lateral / frame.diagonal) {
+      reach_(k_reach * line.assignment.lateral / frame.diagonal),
+      cell_(std::max(k_cell * reach_, k_least_cell)) {
   const Assignment& assignment = line.assignment;
   for (PieceIndex piece = 0; piece < assignment.mesh.pieces.size(); ++piece) {
     std::uint8_t& former = formers_[assignment.mesh.pieces[piece].facet];
@@ -42,19 +44,21 @@ WallCaps::WallCaps(const PartModel& model, const MoldLine& line, const SheetFram
 }
 
 WallCaps::Cell WallCaps::cell_of(const glm::dvec2& at) const {
-  const glm::dvec2 cell = glm::floor(at / (k_cell * reach_));
+  const glm::dvec2 cell = glm::floor(at / cell_);
   return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y)};
 }
 
 void WallCaps::add(const Piece& piece) {
   const auto number = static_cast<std::uint32_t>(pieces_.size());
   pieces_.push_back(piece);
-  const auto steps = static_cast<int>(std::ceil(glm::distance(piece.from, piece.to) / reach_));
+  // Points so close that a cell about each of them has all that is within reach in one of its corners' cells.
+  const double apart = 0.25 * cell_, around = reach_ + 0.5 * apart;
+  const auto steps = static_cast<int>(std::ceil(glm::distance(piece.from, piece.to) / apart));
   for (int step = 0; step <= steps; ++step) {
     const glm::dvec2 at = glm::mix(piece.from, piece.to, steps > 0 ? static_cast<double>(step) / steps : 0.0);
     for (const glm::dvec2& off :
          {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1)}) {
-      std::vector<std::uint32_t>& here = near_[cell_of(at + 1.5 * reach_ * off)];
+      std::vector<std::uint32_t>& here = near_[cell_of(at + around * off)];
       if (here.empty() || here.back() != number) here.push_back(number);
     }
   }

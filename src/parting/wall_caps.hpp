@@ -43,7 +43,7 @@ class WallCaps {
   glm::dvec3 direction_;
   double cut_height_ = 0.0, cut_tolerance_ = 0.0;  // along the direction, in the part's coordinates
   double cut_at_ = 0.0;                            // in the sheets' frame
-  double reach_ = 0.0;                             // twice the lateral tolerance, in diagonals
+  double reach_ = 0.0, cell_ = 0.0;                // twice the lateral tolerance, in diagonals; a cell's side
   std::vector<Piece> pieces_;
   std::map<Cell, std::vector<std::uint32_t>> near_;
 };
