@@ -58,9 +58,9 @@ class Cutter {
     }
     // The corner that is alone on its side first.
     const bool alone_inside = within == 1;
-    std::ranges::rotate(facet, std::ranges::find_if(facet, [&](VertexIndex corner) {
-                          return is_inside(corner) == alone_inside;
-                        }));
+    const auto alone =
+        std::ranges::find_if(facet, [&](VertexIndex corner) { return is_inside(corner) == alone_inside; });
+    std::rotate(facet.begin(), alone, facet.end());  // clang 14 lacks ranges::rotate
     const auto [a, b, c] = facet;
     const VertexIndex to = crossing(a, b), from = crossing(c, a);
     Facets &own = alone_inside ? inside_ : outside_, &other = alone_inside ? outside_ : inside_;

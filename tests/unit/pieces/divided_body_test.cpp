@@ -1,6 +1,7 @@
 // Solids cut by planes, and bodies that move out in shares.
 #include "pieces/divided_body.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
