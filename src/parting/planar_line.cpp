@@ -13,6 +13,7 @@ namespace {
 
 constexpr double k_level_step = 1e-4;     // of the diagonal: heights that are one
 constexpr std::size_t k_most_levels = 6;  // that are tried
+constexpr double k_most_of_hairs = 0.02;  // of the diagonal: what hairs may make level
 constexpr double k_hair = 0.02;           // of the diagonal: a line that costs less by no more is no better
 constexpr double k_alike_reverse = 2e-3;  // of the surface: with about as much reverse draft
 constexpr double k_alike = 0.25;          // of the diagonal: of those that cost about the same creases decide
@@ -106,20 +107,21 @@ MoldLine find_mold_line(const PartModel& model, const Query& query, const MoldSe
   };
   const double most = found.assignment.energy - k_hair * diagonal;
   std::vector<MoldLine> better;
+  /// How far the line climbs then.
   const auto try_walls = [&](const DividedWalls& walls) {
     MoldLine tried{with_divided(model, settings, found.assignment, walls, progress), {}};
-    if (tried.assignment.energy >= most + worth) return false;
+    if (tried.assignment.energy >= most + worth) return static_cast<double>(INFINITY);
     tried.line = parting_line(tried.assignment);
-    const bool planar = is_planar(tried);
-    if ((walls.hairs && !planar) || cost_of(tried) >= most ||
-        tried.line.loops.size() > found.line.loops.size() || breaks_of(tried.line) > breaks_of(found.line))
-      return planar;
-    better.push_back(std::move(tried));
-    return planar;
+    const double climb = tried.line.outer_climb();
+    if ((!walls.hairs || is_planar(tried)) && cost_of(tried) < most &&
+        tried.line.loops.size() <= found.line.loops.size() && breaks_of(tried.line) <= breaks_of(found.line))
+      better.push_back(std::move(tried));
+    return climb;
   };
   for (const double height : levels_of(model, found)) {
-    if (try_walls(outer_walls(model, found, height, false))) continue;
-    // Hairs are given away for a plane alone.
+    const double climb = try_walls(outer_walls(model, found, height, false));
+    // Hairs are given away for a plane alone, where it is not far.
+    if (climb <= k_planar_share * diagonal || climb > k_most_of_hairs * diagonal) continue;
     if (const DividedWalls walls = outer_walls(model, found, height, true); walls.hairs) try_walls(walls);
   }
   if (better.empty()) return found;
