@@ -182,9 +182,9 @@ class ActionSearch::Finder {
       if (!undercut_part.allows(ActionKind::slide) ||
           std::ranges::any_of(undercut_part.pulls, [](const Pull& pull) { return is_slide(pull.kind); }))
         return;
-      if (const auto slide = pulls_.nearly_freeing(undercut_part.samples, candidates(undercut_part)))
+      if (const auto way = pulls_.nearly_freeing(undercut_part.samples, candidates(undercut_part)))
         set_apart([&](const UndercutSample& sample) {
-          return pulls_.release().free_length(sample, slide->direction) != k_never;
+          return pulls_.release().free_length(sample, *way) != k_never;
         });
     });
     for (std::vector<UndercutPart>& undercut_parts : shallow) {

@@ -494,8 +494,8 @@ std::optional<Pull> PullFinder::most_freeing(std::span<const UndercutSample> sam
   return best;
 }
 
-std::optional<Pull> PullFinder::nearly_freeing(std::span<const UndercutSample> samples,
-                                               std::span<const PullCandidate> tried) const {
+std::optional<glm::dvec3> PullFinder::nearly_freeing(std::span<const UndercutSample> samples,
+                                                     std::span<const PullCandidate> tried) const {
   constexpr double k_nearly_all = 0.8;
   const double whole = area_of(samples), least = k_nearly_all * whole;
   const auto frees = [&](const glm::dvec3& pull) {
@@ -521,7 +521,7 @@ std::optional<Pull> PullFinder::nearly_freeing(std::span<const UndercutSample> s
     estimate_travel(samples, pull);
     if (!best || pull_cost(pull, settings_.prices) < pull_cost(*best, settings_.prices)) best = pull;
   }
-  return best;
+  return best ? std::optional(best->direction) : std::nullopt;
 }
 
 std::vector<FreedPart> PullFinder::find_inserts(std::span<const UndercutSample> samples,

@@ -98,10 +98,10 @@ class PullFinder {
   [[nodiscard]] std::vector<Pull> find(std::span<const UndercutSample> samples,
                                        std::span<const PullCandidate> tried,
                                        std::optional<ActionKind> only = {}) const;
-  /// A slide that frees nearly all of the samples; the others would be clear of it by a move across it of no
-  /// more than the least travel. None where there is none.
-  [[nodiscard]] std::optional<Pull> nearly_freeing(std::span<const UndercutSample> samples,
-                                                   std::span<const PullCandidate> tried) const;
+  /// The way of a slide that frees nearly all of the samples; the others would be clear by a move across it
+  /// of no more than the least travel. None where there is none.
+  [[nodiscard]] std::optional<glm::dvec3> nearly_freeing(std::span<const UndercutSample> samples,
+                                                         std::span<const PullCandidate> tried) const;
   /// The slides among the pulls turned toward either end of what is free, if that is wide, and those that
   /// were for sharing alone.
   [[nodiscard]] std::vector<Pull> turned(std::span<const UndercutSample> samples,

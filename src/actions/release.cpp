@@ -142,10 +142,8 @@ bool Release::is_shallow(const UndercutSample& sample, double depth) const {
 bool Release::is_nearly_free(const UndercutSample& sample, const glm::dvec3& pull, double depth) const {
   constexpr int k_turns = 16;
   // At the tip of what forms it the steel is thinner than that.
-  const glm::vec3 off(glm::dvec3(sample.position) + k_touching * sample.normal);
-  if (const auto hit = model_.rays().first_hit(off, glm::vec3(sample.normal), true);
-      hit && static_cast<double>(hit->distance) < depth)
-    return true;
+  const auto steel = gap(glm::dvec3(sample.position) + k_touching * sample.normal, sample.normal);
+  if (steel && *steel < depth) return true;
   const MapFrame frame = map_frame(pull);
   UndercutSample moved = sample;
   for (int k = 0; k < k_turns; ++k) {

@@ -359,6 +359,25 @@ bool is_hair_beyond(const PartModel& model, const Assignment& assignment, PieceI
   return beyond > 0.0 && beyond * sine <= k_hair_beyond * assignment.lateral * std::sqrt(1.0 - sine * sine);
 }
 
+namespace {
+
+/// Cuts what is a hair beyond the height there: what of it is beyond becomes free.
+void give_hairs(const PartModel& model, double height, Assignment& assignment) {
+  cut_at_height(assignment.mesh, assignment.free,
+                {.direction = assignment.direction,
+                 .height = height,
+                 .tolerance = k_at_height * model.frame.diagonal,
+                 .least = k_beyond});
+  for (PieceIndex piece = 0; piece < assignment.free.size(); ++piece) {
+    if (assignment.free[piece] != k_beyond) continue;
+    const bool above = glm::dot(assignment.mesh.middle(piece), assignment.direction) > height;
+    assignment.free[piece] =
+        above == (assignment.mesh.pieces[piece].region == Region::cavity) ? k_divided : 0;
+  }
+}
+
+}  // namespace
+
 Assignment with_divided(const PartModel& model, const MoldSettings& settings, const Assignment& whole,
                         const DividedWalls& walls, const Progress& progress) {
   progress.report("assigning", 0.0);
@@ -376,16 +395,7 @@ Assignment with_divided(const PartModel& model, const MoldSettings& settings, co
       result.free[piece] = k_beyond;
     }
   }
-  cut_at_height(result.mesh, result.free,
-                {.direction = result.direction,
-                 .height = walls.height,
-                 .tolerance = k_at_height * model.frame.diagonal,
-                 .least = k_beyond});
-  for (PieceIndex piece = 0; piece < result.free.size(); ++piece) {
-    if (result.free[piece] != k_beyond) continue;
-    const bool above = glm::dot(result.mesh.middle(piece), result.direction) > walls.height;
-    result.free[piece] = above == (result.mesh.pieces[piece].region == Region::cavity) ? k_divided : 0;
-  }
+  if (walls.hairs) give_hairs(model, walls.height, result);
   find_sides(model, settings, walls.height, progress, result);
   return result;
 }

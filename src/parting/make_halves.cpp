@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -140,18 +141,13 @@ class Trial {
   }
 
  private:
-  [[nodiscard]] CapHeight cap_height() const {
-    if (asked_.caps == nullptr) return {};
-    return [caps = asked_.caps](FacetIndex facet, Sheet sheet, const auto& corners) {
-      return caps->height(facet, sheet, corners);
-    };
-  }
-
   /// The sheets with the parting surface between them.
   std::optional<MoldFault> make_surface(const Progress& progress) {
     const double diagonal = frame_.diagonal;
-    sheets_ = part_sheets(asked_.split, static_cast<FacetIndex>(asked_.mesh.facets.size()), frame_, attempt_,
-                          cap_height(), capped_);
+    PartSheets part = part_sheets(asked_.split, static_cast<FacetIndex>(asked_.mesh.facets.size()), frame_,
+                                  attempt_, asked_.caps);
+    sheets_ = std::move(part.sheets);
+    capped_ = part.added;
     progress.report(k_halves_stage, 0.1);
     hand_ = hand_walls(asked_.split, sheets_, asked_.assigned, attempt_);
     if (const auto at = sheets_.align_ends(attempt_.tolerance))
@@ -461,8 +457,8 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
             alone, caps);
   };
   const std::optional<TriangleMesh> upright = with_upright_walls(model.part.mesh, frame);
-  if (place.of != nullptr && place.of->line.is_planar(model.frame.diagonal)) {
-    const WallCaps caps(model, *place.of, frame);
+  if (place.line != nullptr && place.sides != nullptr && place.line->is_planar(model.frame.diagonal)) {
+    const WallCaps caps(*place.sides, *place.line, frame);
     try_mesh(upright ? *upright : model.part.mesh, &caps);
   }
   if (!best || !best->certified()) {

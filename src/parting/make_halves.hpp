@@ -15,12 +15,12 @@ namespace moldlight {
 struct MeetingPlace {
   double height = 0.0;                // along the direction, in the part's coordinates
   const PartingLine* line = nullptr;  // outweighs the height where it runs over such walls
-  /// Of which the line is: walls that lean back by a hair are left to the half that it gives them to.
-  const MoldLine* of = nullptr;
+  /// That the line divides: walls that lean back by a hair are left to the half that has them.
+  const Assignment* sides = nullptr;
 };
 
 [[nodiscard]] inline MeetingPlace meeting_place(const MoldLine& line) {
-  return {line.assignment.height, &line.line, &line};
+  return {line.assignment.height, &line.line, &line.assignment};
 }
 
 /// Bodies beside the part that slides are cut from, with the block whose sides they reach.

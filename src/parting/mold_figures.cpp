@@ -93,7 +93,7 @@ constexpr FigureRow<MoldHalves> k_halves_figures[] = {
     {"", "Cavity half", Kind::volume, member<&MoldHalves::cavity, &MoldBody::volume>},
     {"halves/part_volume", "Part", Kind::volume, member<&MoldHalves::part_volume>},
     {"halves/upright_volume", "Added to the part", Kind::volume, member<&MoldHalves::upright_volume>,
-     "where its walls lean back by a hair: they are set upright", details},
+     "to set walls upright that lean back by less than two lateral tolerances", details},
     {"halves/insert_volume", "", Kind::volume,
      [](const MoldHalves& h) -> Found { return h.insert_volume - h.slide_volume(); }},
     {"", "Inserts", Kind::volume,

@@ -170,38 +170,35 @@ class Straightener {
 
 }  // namespace
 
-Sheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& frame,
-                   const SheetTolerance& attempt, const CapHeight& cap_height, double& added) {
-  Sheets sheets;
+PartSheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& frame,
+                       const SheetTolerance& attempt, const WallCaps* caps) {
+  PartSheets found;
+  Sheets& sheets = found.sheets;
   for (const glm::dvec3& vertex : split.vertices) sheets.vertices.push_back(frame.in_mold(vertex));
   std::map<std::pair<VertexIndex, double>, SheetVertex> ends;
-  const auto end_below = [&](VertexIndex vertex, double height) {
+  const auto end_at = [&](VertexIndex vertex, double height) {
     const auto [entry, is_new] =
         ends.try_emplace({vertex, height}, static_cast<SheetVertex>(sheets.vertices.size()));
     if (is_new) sheets.vertices.emplace_back(glm::dvec2(sheets.vertices[vertex]), height);
     return entry->second;
   };
-  added = 0.0;
   for (const SplitPiece& piece : split.pieces) {
     if (is_upright(piece, sheets, attempt)) continue;
     const Sheet sheet = sheet_of(piece, sheets);
-    const glm::dvec3 a = sheets.vertices[piece.corners[0]], b = sheets.vertices[piece.corners[1]],
-                     c = sheets.vertices[piece.corners[2]];
-    if (const auto height =
-            cap_height && piece.facet < beside ? cap_height(piece.facet, sheet, {a, b, c}) : std::nullopt) {
-      const double area = 0.5 * std::abs(glm::cross(glm::dvec2(b - a), glm::dvec2(c - a)));
-      added += area * std::abs((a.z + b.z + c.z) / 3.0 - *height);
-      sheets.facets.push_back({{end_below(piece.corners[0], *height), end_below(piece.corners[1], *height),
-                                end_below(piece.corners[2], *height)},
-                               sheet});
+    const auto& [a, b, c] = piece.corners;
+    const std::array<glm::dvec3, 3> at = {sheets.vertices[a], sheets.vertices[b], sheets.vertices[c]};
+    const bool is_part = piece.facet < beside;
+    if (const auto end = is_part && caps != nullptr ? caps->height(piece.facet, sheet, at) : std::nullopt) {
+      const double area = 0.5 * std::abs(glm::cross(glm::dvec2(at[1] - at[0]), glm::dvec2(at[2] - at[0])));
+      found.added += area * std::abs((at[0].z + at[1].z + at[2].z) / 3.0 - *end);
+      sheets.facets.push_back({{end_at(a, *end), end_at(b, *end), end_at(c, *end)}, sheet});
       continue;
     }
-    if (piece.facet < beside || sheet != Sheet::hidden) sheets.facets.push_back({piece.corners, sheet});
-    if (piece.facet >= beside && sheet != Sheet::hidden)
-      sheets.facets.push_back({piece.corners, Sheet::beside});
+    if (is_part || sheet != Sheet::hidden) sheets.facets.push_back({piece.corners, sheet});
+    if (!is_part && sheet != Sheet::hidden) sheets.facets.push_back({piece.corners, Sheet::beside});
   }
   sheets.column_of.assign(sheets.vertices.size(), k_no_plane_point);
-  return sheets;
+  return found;
 }
 
 HandWalls hand_walls(const SplitMesh& split, const Sheets& sheets, const std::vector<FacetWish>& assigned,

@@ -1,8 +1,6 @@
 // The sheets of a part, from its split mesh: what is seen from above, from below, or hidden.
 #pragma once
 
-#include <array>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -12,6 +10,8 @@
 #include "parting/halves/sheets.hpp"
 #include "parting/mold_halves.hpp"
 #include "parting/mold_settings.hpp"
+#include "parting/sheet_frame.hpp"
+#include "parting/wall_caps.hpp"
 
 namespace moldlight {
 
@@ -21,29 +21,15 @@ struct SheetTolerance {
   double tolerance = 1e-7, upright = 1.0;
 };
 
-/// Where sheets are: in the mold's frame about a centre, in diagonals of the part.
-struct SheetFrame {
-  MoldFrame frame;
-  glm::dvec3 centre{0.0};
-  double diagonal = 1.0;
-
-  [[nodiscard]] glm::dvec3 in_mold(const glm::dvec3& at) const {
-    return frame.to_mold((at - centre) / diagonal);
-  }
-  [[nodiscard]] glm::dvec3 in_part(const glm::dvec3& at) const {
-    return centre + diagonal * frame.to_part(at);
-  }
+/// The sheets with what the caps add to the part, in cubes of the diagonal.
+struct PartSheets {
+  Sheets sheets;
+  double added = 0.0;
 };
-
-/// The height at which the part ends in place of a piece that one half sees: of this facet, with these
-/// corners; none where it is the half's own.
-using CapHeight = std::function<std::optional<double>(FacetIndex, Sheet, const std::array<glm::dvec3, 3>&)>;
-
 /// Of a mesh that is split at no draft; its facets from number `beside` on are of other bodies. Upright
-/// facets are left out; ends do not stand in columns yet. What the caps add to the part goes to `added`, in
-/// cubes of the diagonal.
-[[nodiscard]] Sheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& frame,
-                                 const SheetTolerance& attempt, const CapHeight& cap_height, double& added);
+/// facets are left out; ends do not stand in columns yet. Caps are those of this mesh, null for none.
+[[nodiscard]] PartSheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& frame,
+                                     const SheetTolerance& attempt, const WallCaps* caps);
 
 /// Of the facets that a half is to form, the upright ones, and the area of others that it cannot, which lean
 /// the other way or are hidden.

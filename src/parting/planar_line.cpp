@@ -13,9 +13,10 @@ namespace {
 
 constexpr double k_level_step = 1e-4;     // of the diagonal: heights that are one
 constexpr std::size_t k_most_levels = 6;  // that are tried
-constexpr double k_most_of_hairs = 0.02;  // of the diagonal: what hairs may make level
-constexpr double k_hair = 0.02;           // of the diagonal: a line that costs less by no more is no better
-constexpr double k_alike_reverse = 2e-3;  // of the surface: with about as much reverse draft
+constexpr double k_nearly_level =
+    0.02;                        // of the diagonal: a line that climbs by less may become level by hairs
+constexpr double k_hair = 0.02;  // of the diagonal: a line that costs less by no more is no better
+constexpr double k_alike_reverse = 2e-3;  // of the surface: reverse draft that differs by less is alike
 constexpr double k_alike = 0.25;          // of the diagonal: of those that cost about the same creases decide
 
 /// Of the outer loops' length.
@@ -53,7 +54,7 @@ std::vector<double> levels_of(const PartModel& model, const MoldLine& found) {
 }
 
 /// The facets with surface that is free, or if asked for a hair beyond the height, and connected with the
-/// outer loops across such surface alone. Hairs are asked for no more where there are none.
+/// outer loops across such surface alone. `hairs` of them says whether there are some.
 DividedWalls outer_walls(const PartModel& model, const MoldLine& found, double height, bool hairs) {
   const Assignment& assignment = found.assignment;
   std::vector<std::uint8_t> on_loop(assignment.mesh.vertices.size(), 0);
@@ -107,10 +108,10 @@ MoldLine find_mold_line(const PartModel& model, const Query& query, const MoldSe
   };
   const double most = found.assignment.energy - k_hair * diagonal;
   std::vector<MoldLine> better;
-  /// How far the line climbs then.
-  const auto try_walls = [&](const DividedWalls& walls) {
+  // How far the line climbs then.
+  const auto try_walls = [&](const DividedWalls& walls) -> double {
     MoldLine tried{with_divided(model, settings, found.assignment, walls, progress), {}};
-    if (tried.assignment.energy >= most + worth) return static_cast<double>(INFINITY);
+    if (tried.assignment.energy >= most + worth) return INFINITY;
     tried.line = parting_line(tried.assignment);
     const double climb = tried.line.outer_climb();
     if ((!walls.hairs || is_planar(tried)) && cost_of(tried) < most &&
@@ -121,7 +122,7 @@ MoldLine find_mold_line(const PartModel& model, const Query& query, const MoldSe
   for (const double height : levels_of(model, found)) {
     const double climb = try_walls(outer_walls(model, found, height, false));
     // Hairs are given away for a plane alone, where it is not far.
-    if (climb <= k_planar_share * diagonal || climb > k_most_of_hairs * diagonal) continue;
+    if (climb <= k_planar_share * diagonal || climb > k_nearly_level * diagonal) continue;
     if (const DividedWalls walls = outer_walls(model, found, height, true); walls.hairs) try_walls(walls);
   }
   if (better.empty()) return found;

@@ -18,29 +18,28 @@ constexpr std::uint8_t k_by_core = 1, k_by_cavity = 2, k_by_both = 3;
 
 }  // namespace
 
-WallCaps::WallCaps(const PartModel& model, const MoldLine& line, const SheetFrame& frame)
-    : formers_(model.part.mesh.facets.size(), 0),
-      direction_(line.assignment.direction),
-      cut_height_(line.assignment.height),
-      cut_tolerance_(k_same_height * frame.diagonal),
-      cut_at_((line.assignment.height - glm::dot(frame.centre, direction_)) / frame.diagonal),
-      reach_(k_reach * line.assignment.lateral / frame.diagonal),
+WallCaps::WallCaps(const Assignment& sides, const PartingLine& line, const SheetFrame& frame)
+    : frame_(frame),
+      cut_height_(sides.height),
+      reach_(k_reach * sides.lateral / frame.diagonal),
       cell_(std::max(k_cell * reach_, k_least_cell)) {
-  const Assignment& assignment = line.assignment;
-  for (PieceIndex piece = 0; piece < assignment.mesh.pieces.size(); ++piece) {
-    std::uint8_t& former = formers_[assignment.mesh.pieces[piece].facet];
-    if (assignment.sides[piece] == MoldSide::core) former |= k_by_core;
-    if (assignment.sides[piece] == MoldSide::cavity) former |= k_by_cavity;
+  for (PieceIndex piece = 0; piece < sides.mesh.pieces.size(); ++piece) {
+    const FacetIndex facet = sides.mesh.pieces[piece].facet;
+    if (facet >= formers_.size()) formers_.resize(facet + 1, 0);
+    if (sides.sides[piece] == MoldSide::core) formers_[facet] |= k_by_core;
+    if (sides.sides[piece] == MoldSide::cavity) formers_[facet] |= k_by_cavity;
   }
-  const double middle = glm::dot(frame.centre, direction_);
-  for (const PartingLoop& loop : line.line.loops) {
+  for (const PartingLoop& loop : line.loops) {
     if (loop.kind == LoopKind::action || loop.climb() > k_planar_share * frame.diagonal) continue;
-    const auto in_sheets = [&](double height) { return (height - middle) / frame.diagonal; };
     for (std::size_t k = 0; k < loop.points.size(); ++k)
       add({glm::dvec2(frame.in_mold(loop.points[k])),
            glm::dvec2(frame.in_mold(loop.points[(k + 1) % loop.points.size()])), in_sheets(loop.low),
            in_sheets(loop.high)});
   }
+}
+
+double WallCaps::in_sheets(double height) const {
+  return (height - glm::dot(frame_.centre, frame_.frame.z)) / frame_.diagonal;
 }
 
 WallCaps::Cell WallCaps::cell_of(const glm::dvec2& at) const {
@@ -87,9 +86,11 @@ SplitMesh WallCaps::cut(const SplitMesh& split) const {
   std::vector<std::uint8_t> former;
   for (const SplitPiece& piece : cut.pieces)
     former.push_back(piece.facet < formers_.size() ? formers_[piece.facet] : std::uint8_t{0});
-  cut_at_height(
-      cut, former,
-      {.direction = direction_, .height = cut_height_, .tolerance = cut_tolerance_, .least = k_by_both});
+  cut_at_height(cut, former,
+                {.direction = frame_.frame.z,
+                 .height = cut_height_,
+                 .tolerance = k_same_height * frame_.diagonal,
+                 .least = k_by_both});
   return cut;
 }
 
@@ -98,7 +99,8 @@ std::optional<double> WallCaps::height(FacetIndex facet, Sheet sheet,
   if (facet >= formers_.size() || (sheet != Sheet::upper && sheet != Sheet::lower)) return std::nullopt;
   const auto& [a, b, c] = corners;
   std::uint8_t former = formers_[facet];
-  if (former == k_by_both) former = (a.z + b.z + c.z) / 3.0 > cut_at_ ? k_by_core : k_by_cavity;
+  if (former == k_by_both)
+    former = (a.z + b.z + c.z) / 3.0 > in_sheets(cut_height_) ? k_by_core : k_by_cavity;
   if ((former & (sheet == Sheet::upper ? k_by_core : k_by_cavity)) != 0) return std::nullopt;
   const double sense = sheet == Sheet::lower ? 1.0 : -1.0;
   std::optional<double> height;

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "classify/part_model.hpp"
-#include "parting/part_sheets.hpp"
-#include "parting/planar_line.hpp"
+#include "parting/halves/sheets.hpp"
+#include "parting/loops.hpp"
+#include "parting/sheet_frame.hpp"
 
 namespace moldlight {
 
@@ -21,11 +22,13 @@ namespace moldlight {
 /// line gives them to: from the other side the part ends at the loop's height.
 class WallCaps {
  public:
-  WallCaps(const PartModel& model, const MoldLine& line, const SheetFrame& frame);
+  /// The sides that the line divides.
+  WallCaps(const Assignment& sides, const PartingLine& line, const SheetFrame& frame);
 
   /// The split mesh with facets that both halves form cut at the line's height.
   [[nodiscard]] SplitMesh cut(const SplitMesh& split) const;
-  /// As CapHeight has it, in the sheets' frame.
+  /// The height in the sheets' frame at which the part ends in place of a piece that one half sees: of this
+  /// facet, with these corners; none where it is the half's own.
   [[nodiscard]] std::optional<double> height(FacetIndex facet, Sheet sheet,
                                              const std::array<glm::dvec3, 3>& corners) const;
 
@@ -35,15 +38,15 @@ class WallCaps {
     double low = 0.0, high = 0.0;  // of its loop
   };
   using Cell = std::pair<std::int64_t, std::int64_t>;
+  [[nodiscard]] double in_sheets(double height) const;
   [[nodiscard]] Cell cell_of(const glm::dvec2& at) const;
   void add(const Piece& piece);
   [[nodiscard]] std::optional<double> height_at(const glm::dvec2& at, Sheet sheet) const;
 
   std::vector<std::uint8_t> formers_;  // of each facet: bits of the halves
-  glm::dvec3 direction_;
-  double cut_height_ = 0.0, cut_tolerance_ = 0.0;  // along the direction, in the part's coordinates
-  double cut_at_ = 0.0;                            // in the sheets' frame
-  double reach_ = 0.0, cell_ = 0.0;                // twice the lateral tolerance, in diagonals; a cell's side
+  SheetFrame frame_;
+  double cut_height_ = 0.0;          // along the direction, in the part's coordinates
+  double reach_ = 0.0, cell_ = 0.0;  // twice the lateral tolerance, in diagonals; a cell's side
   std::vector<Piece> pieces_;
   std::map<Cell, std::vector<std::uint32_t>> near_;
 };

@@ -76,8 +76,8 @@ Difference difference(MoldCriterion criterion, const MoldCost& one, const MoldCo
   const CriterionFacts& facts = k_facts[static_cast<std::size_t>(criterion)];
   const double by = one.of(criterion) - other.of(criterion);
   if (criterion == found && one.canonical && other.canonical)
-    return {by / facts.band, by > 0.0 ? "is beside a direction for which more of the part speaks"
-                                      : "has more of the part that speaks for it"};
+    return {by / facts.band, by > 0.0 ? "is within 10° of a direction that more of the walls follow"
+                                      : "has more walls that follow it"};
   if (criterion == found)
     return {by / facts.band, by > 0.0 ? "is not an axis or a face normal of the part"
                                       : "is an axis or a face normal of the part"};

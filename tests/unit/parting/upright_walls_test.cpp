@@ -7,35 +7,48 @@
 #include "classify/part_model.hpp"
 #include "parting/make_halves.hpp"
 #include "parting/part_sheets.hpp"
+#include "parting/planar_line.hpp"
+#include "support/classify_mesh.hpp"
 #include "support/random.hpp"
 
 namespace moldlight {
 namespace {
 
-constexpr std::uint32_t k_sides = 24;
+constexpr std::uint32_t k_sides = 24, k_twisted = 60;
 
-/// Radius 1 below, `top` above, height 1; the points of its rings off by up to `rounding`.
-TriangleMesh prism(double top, double rounding) {
+struct PrismShape {
+  double top = 1.0;       // radius above; 1 below
+  double rounding = 0.0;  // by which the points of its rings are off at most
+  std::uint32_t sides = k_sides;
+  double twist = 0.0;  // of the upper ring, sides
+};
+
+/// Height 1.
+TriangleMesh prism(const PrismShape& shape) {
+  const auto& [top, rounding, sides, twist] = shape;
   test::Random random(7);
   TriangleMesh mesh;
   for (const double z : {0.0, 1.0}) {
-    for (std::uint32_t k = 0; k < k_sides; ++k) {
-      const double turn = 2.0 * std::numbers::pi * k / k_sides, radius = z > 0.0 ? top : 1.0;
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const double turn = 2.0 * std::numbers::pi * (k + z * twist) / sides, radius = z > 0.0 ? top : 1.0;
       mesh.vertices.emplace_back(radius * std::cos(turn) + random.between(-rounding, rounding),
                                  radius * std::sin(turn) + random.between(-rounding, rounding), z);
     }
   }
   mesh.vertices.emplace_back(0.0, 0.0, 0.0);
   mesh.vertices.emplace_back(0.0, 0.0, 1.0);
-  for (std::uint32_t k = 0; k < k_sides; ++k) {
-    const std::uint32_t a = k, b = (k + 1) % k_sides;
-    mesh.facets.push_back({a, b, k_sides + b});
-    mesh.facets.push_back({a, k_sides + b, k_sides + a});
-    mesh.facets.push_back({b, a, 2 * k_sides});
-    mesh.facets.push_back({k_sides + a, k_sides + b, 2 * k_sides + 1});
+  for (std::uint32_t k = 0; k < sides; ++k) {
+    const std::uint32_t a = k, b = (k + 1) % sides;
+    mesh.facets.push_back({a, b, sides + a});
+    mesh.facets.push_back({b, sides + b, sides + a});
+    mesh.facets.push_back({b, a, 2 * sides});
+    mesh.facets.push_back({sides + a, sides + b, 2 * sides + 1});
   }
   return mesh;
 }
+/// The corners of its upper ring stand above the middles of the lower one's sides, so that every other facet
+/// of the wall leans back from either half by 0.0014.
+TriangleMesh twisted_prism(double top) { return prism({.top = top, .sides = k_twisted, .twist = 0.5}); }
 
 SheetFrame frame_of(const TriangleMesh& mesh) {
   const Bounds box = bounds(mesh);
@@ -43,7 +56,7 @@ SheetFrame frame_of(const TriangleMesh& mesh) {
 }
 
 TEST(UprightWalls, StandExactlyUprightAndHardlyMove) {
-  const TriangleMesh mesh = prism(1.0, 2e-6);
+  const TriangleMesh mesh = prism({.rounding = 2e-6});
   const auto upright = with_upright_walls(mesh, frame_of(mesh));
   ASSERT_TRUE(upright);
   ASSERT_EQ(upright->facets, mesh.facets);
@@ -59,14 +72,14 @@ TEST(UprightWalls, StandExactlyUprightAndHardlyMove) {
 }
 
 TEST(UprightWalls, WithDraftKeepIt) {
-  const TriangleMesh drafted = prism(0.99, 0.0), upright = prism(1.0, 0.0);
+  const TriangleMesh drafted = prism({.top = 0.99}), upright = prism({});
   EXPECT_FALSE(with_upright_walls(drafted, frame_of(drafted)));
   EXPECT_FALSE(with_upright_walls(upright, frame_of(upright)));
 }
 
 TEST(UprightWalls, ThatLeanByRoundingGetASurfaceOfOnePlane) {
   Part part;
-  part.mesh = prism(1.0, 2e-6);
+  part.mesh = prism({.rounding = 2e-6});
   const auto model = prepare_part(std::move(part), Progress());
   const MoldHalves halves = make_halves(*model, {0, 0, 1}, {.height = 0.5, .line = nullptr}, {}, Progress());
   ASSERT_TRUE(halves.made()) << halves.refusal;
@@ -76,6 +89,37 @@ TEST(UprightWalls, ThatLeanByRoundingGetASurfaceOfOnePlane) {
   EXPECT_EQ(halves.contact_area, 0.0);
   EXPECT_NE(halves.upright_volume, 0.0);
   EXPECT_NEAR(halves.upright_volume / halves.part_volume, 0.0, 1e-5);
+}
+
+TEST(WallCaps, LetHalvesMeetInOnePlaneWhereFacetsLeanBothWays) {
+  const auto model = test::model_of(twisted_prism(1.0));
+  const glm::dvec3 up(0, 0, 1);
+  const MoldLine line = find_mold_line(*model, {up, {}}, {}, Progress{});
+  ASSERT_LT(line.line.outer_high - line.line.outer_low, 1e-9);
+
+  const MoldHalves plain =
+      make_halves(*model, up, {.height = line.assignment.height, .line = &line.line}, {}, Progress{});
+  ASSERT_TRUE(plain.made()) << plain.refusal;
+  EXPECT_LT(plain.surface.shelf_share(), 0.99);
+
+  const MoldHalves halves = make_halves(*model, up, meeting_place(line), {}, Progress{});
+  ASSERT_TRUE(halves.certified()) << halves.refusal;
+  EXPECT_NEAR(halves.surface.shelf_share(), 1.0, 1e-12);
+  EXPECT_EQ(halves.surface.faces, 1U);
+  // Between the part and the prism over both rings' outlines together.
+  const double turn = std::numbers::pi / k_twisted;
+  const double most = std::numbers::pi - 0.5 * k_twisted * std::sin(2.0 * turn);
+  EXPECT_GT(halves.upright_volume, 0.0);
+  EXPECT_LT(halves.upright_volume, most);
+}
+
+TEST(WallCaps, LeaveWallsThatLeanByMoreThanTwiceTheLateralTolerance) {
+  const auto model = test::model_of(twisted_prism(1.004));
+  const glm::dvec3 up(0, 0, 1);
+  const MoldLine line = find_mold_line(*model, {up, {}}, {}, Progress{});
+  const MoldHalves halves = make_halves(*model, up, meeting_place(line), {}, Progress{});
+  ASSERT_TRUE(halves.made()) << halves.refusal;
+  EXPECT_NEAR(halves.upright_volume, 0.0, 1e-6);
 }
 
 }  // namespace

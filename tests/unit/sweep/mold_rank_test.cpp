@@ -119,7 +119,7 @@ TEST(MoldRank, WhatMoreOfThePartNamesBeatsWhatLessDoesBesideIt) {
   compare_found(costs);
   EXPECT_EQ(order(costs), (Numbers{1, 0}));
   EXPECT_EQ(rank_reasons(costs[0], costs[1]).front(),
-            "is beside a direction for which more of the part speaks");
+            "is within 10° of a direction that more of the walls follow");
 
   costs[0].weight = costs[0].of(effort) = 0.0;
   compare_found(costs);
