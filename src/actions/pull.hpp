@@ -19,6 +19,10 @@ namespace moldlight {
 /// Sine of the draft below which a wall opens towards neither of two opposite slides.
 inline constexpr double k_upright = 1e-3;
 
+/// Of turns that are compared; what is chosen is found anew.
+inline constexpr double k_compared_turn_deg = 0.01;
+/// Pulls whose elevations differ by less rise as much.
+inline constexpr double k_same_elevation_deg = 0.01;
 /// Cosine of the angle within which two pulls are one.
 inline constexpr double k_same_pull = 1.0 - 1e-9;
 
