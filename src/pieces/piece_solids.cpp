@@ -27,7 +27,7 @@ namespace {
 
 /// Shares of a body make up all of it but for so much of the block.
 constexpr double k_most_gap = 1e-9;
-/// A body of which less is held is told.
+/// Of a body of which less is held, that share is named.
 constexpr double k_near_miss = 0.01;
 
 /// A body between the halves, in the mold's frame, in diagonals of the part.
