@@ -13,7 +13,9 @@ namespace moldlight {
 
 namespace {
 
-constexpr int k_first_divisions = 2;           // of the octants
+constexpr int k_first_divisions = 2;  // of the octants
+constexpr std::size_t k_covers = 6;   // that are divided before the table of a search is made anew
+constexpr std::size_t k_nodes_of_others = 100;
 constexpr std::size_t k_proof_nodes = 25'000;  // of all searches for one number of directions
 
 class CellCover {
@@ -85,20 +87,28 @@ bool CellCover::excludes(std::size_t most, std::vector<OpenCell>& open) {
   for (std::size_t nodes_left = k_proof_nodes; nodes_left > 0;) {
     std::vector<std::size_t> all(cells_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    const DirectionCover cover =
-        CoverSearch({groups, possible_}, all, progress_).find({.most = most, .most_nodes = nodes_left});
-    if (!cover.found) return cover.complete;
-    nodes_left -= std::min(nodes_left, cover.nodes);
-    open.clear();
-    for (const std::size_t c : cover.columns) open.push_back({cells_[c].centre(), cells_[c].radius_deg()});
-    double widest = 0.0;
-    for (const std::size_t c : cover.columns) widest = std::max(widest, cells_[c].radius_deg());
+    CoverSearch search({groups, possible_}, all, progress_);
+    CoverChoice choice = {.most = most, .most_nodes = nodes_left};
     std::vector<std::size_t> divided;
-    for (const std::size_t c : cover.columns) {
-      if (cells_[c].radius_deg() > 0.6 * widest) divided.push_back(c);
+    for (std::size_t k = 0; k < k_covers; ++k) {
+      const DirectionCover cover = search.find(choice);
+      if (!cover.found && k == 0) return cover.complete;
+      if (!cover.found) break;
+      nodes_left -= std::min(nodes_left, cover.nodes);
+      double widest = 0.0;
+      for (const std::size_t c : cover.columns) widest = std::max(widest, cells_[c].radius_deg());
+      if (k == 0) open.clear();
+      for (const std::size_t c : cover.columns) {
+        if (k == 0) open.push_back({cells_[c].centre(), cells_[c].radius_deg()});
+        if (cells_[c].radius_deg() > 0.6 * widest) divided.push_back(c);
+      }
+      if (k == 0 &&
+          (widest < 2.0 * task_.finest_deg || cells_.size() + 3 * divided.size() > task_.most_cells))
+        return false;
+      // Others beside it, which have to be divided as well, cost no new table.
+      choice.without.insert(choice.without.end(), cover.columns.begin(), cover.columns.end());
+      choice.most_nodes = std::min(nodes_left, k_nodes_of_others);
     }
-    if (widest < 2.0 * task_.finest_deg || cells_.size() + 3 * divided.size() > task_.most_cells)
-      return false;
     divide(divided);
     progress_.report("proving", static_cast<double>(cells_.size()) / static_cast<double>(task_.most_cells));
   }

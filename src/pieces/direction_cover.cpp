@@ -66,6 +66,11 @@ DirectionCover CoverSearch::find(const CoverChoice& choice) {
   chosen_.clear();
   State state{.open = left_by(task_, choice.forced), .allowed = BitSet(columns_.size()), .spare = {}};
   for (std::size_t c = 0; c < columns_.size(); ++c) state.allowed.set(c);
+  for (const std::size_t out : choice.without) {
+    const auto found = std::ranges::lower_bound(columns_, out);
+    if (found != columns_.end() && *found == out)
+      state.allowed.reset(static_cast<std::size_t>(found - columns_.begin()));
+  }
   for (const SampleGroup& group : task_.groups) state.spare.push_back(group.spare);
   cover.found = branch(std::move(state), choice.most - choice.forced.size());
   cover.complete = nodes_ <= most_nodes_;

@@ -23,9 +23,10 @@ struct CoverTask {
 };
 
 struct CoverChoice {
-  std::vector<std::size_t> forced = {};  // columns that are chosen anyway
-  std::size_t most = 1;                  // columns in all, at least those forced
-  std::size_t most_nodes = 20'000;       // of the search
+  std::vector<std::size_t> forced = {};   // columns that are chosen anyway
+  std::size_t most = 1;                   // columns in all, at least those forced
+  std::vector<std::size_t> without = {};  // columns that are not chosen
+  std::size_t most_nodes = 20'000;        // of the search
 };
 
 struct DirectionCover {
@@ -45,7 +46,7 @@ struct DirectionCover {
 /// left to choose, do not reach enough in sum. The same for the same input.
 class CoverSearch {
  public:
-  /// Columns that another allowed one is no worse than are left out. What the task looks at must outlive it.
+  /// `allowed` ascend; those that another is no worse than are left out. What the task looks at must outlive it.
   /// Throws Cancelled.
   CoverSearch(const CoverTask& task, std::span<const std::size_t> allowed, const Progress& progress);
 
