@@ -55,7 +55,7 @@ Json window_json(const Part& part, const UndercutWindow& window) {
 
 Json change_json(const Part& part, const DesignChange& change) {
   return {{"depth", change.depth ? Json(*change.depth) : Json()},
-          {"direction", change.direction ? point_json(*change.direction) : Json()},
+          {"direction", point_json(change.direction)},
           {"window", change.window ? window_json(part, *change.window) : Json()}};
 }
 

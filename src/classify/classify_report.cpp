@@ -98,6 +98,7 @@ void write_split(const OutputPaths& paths, const PartModel& model, const Classif
 }  // namespace
 
 Json point_json(const glm::dvec3& point) { return {point.x, point.y, point.z}; }
+Json point_json(const std::optional<glm::dvec3>& point) { return point ? point_json(*point) : Json(); }
 
 Json bounds_json(const Bounds& bounds) {
   return {{"min", point_json(bounds.min)}, {"max", point_json(bounds.max)}};

@@ -16,6 +16,7 @@ namespace moldlight {
 
 /// [x, y, z].
 [[nodiscard]] Json point_json(const glm::dvec3& point);
+[[nodiscard]] Json point_json(const std::optional<glm::dvec3>& point);  // null where there is none
 /// {"min": [x, y, z], "max": [x, y, z]}.
 [[nodiscard]] Json bounds_json(const Bounds& bounds);
 

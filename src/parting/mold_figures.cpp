@@ -88,6 +88,11 @@ constexpr FigureRow<WrittenBody> k_written_figures[] = {
     {"crowded_edges", "", Kind::count, member<&WrittenBody::nonmanifold_edges>},
 };
 
+constexpr FigureRow<MoldBody> k_half_figures[] = {
+    {"crossed_facets", "", Kind::count, member<&MoldBody::crossed_facets>},
+    {"needles", "", Kind::count, member<&MoldBody::needles>},
+};
+
 constexpr FigureRow<MoldHalves> k_halves_figures[] = {
     {"", "Core half", Kind::volume, member<&MoldHalves::core, &MoldBody::volume>},
     {"", "Cavity half", Kind::volume, member<&MoldHalves::cavity, &MoldBody::volume>},
@@ -151,6 +156,7 @@ std::span<const FigureRow<Assignment>> assignment_figures() { return k_assignmen
 std::span<const FigureRow<PartingLoop>> loop_figures() { return k_loop_figures; }
 std::span<const FigureRow<EulerCheck>> euler_figures() { return k_euler_figures; }
 std::span<const FigureRow<WrittenBody>> written_figures() { return k_written_figures; }
+std::span<const FigureRow<MoldBody>> half_figures() { return k_half_figures; }
 std::span<const FigureRow<MoldHalves>> halves_figures() { return k_halves_figures; }
 
 }  // namespace moldlight

@@ -15,6 +15,8 @@ namespace moldlight {
 [[nodiscard]] std::span<const FigureRow<EulerCheck>> euler_figures();
 /// Of each body as it is written.
 [[nodiscard]] std::span<const FigureRow<WrittenBody>> written_figures();
+/// Of each half as it was made, below "/halves/core" and "/halves/cavity".
+[[nodiscard]] std::span<const FigureRow<MoldBody>> half_figures();
 /// Of halves that were made.
 [[nodiscard]] std::span<const FigureRow<MoldHalves>> halves_figures();
 

@@ -31,10 +31,9 @@ Json loop_json(const PartingLoop& loop) {
 Json half_json(const WrittenBody& written, const MoldBody& body) {
   Json json = written_body_json(written);
   json["undercut"] = written.undercut;
-  json["crossed_facets"] = body.crossed_facets;
-  json["crossed_at"] = body.crossed_at ? point_json(*body.crossed_at) : Json();
-  json["needles"] = body.needles;
-  json["needle_at"] = body.needle_at ? point_json(*body.needle_at) : Json();
+  put_figures(found_figures(half_figures(), body), json);
+  json["crossed_at"] = point_json(body.crossed_at);
+  json["needle_at"] = point_json(body.needle_at);
   return json;
 }
 
@@ -46,7 +45,7 @@ Json contacts_json(const MoldHalves& halves) {
 }
 
 Json missed_json(const MissedFaces& missed) {
-  return {{"area", missed.area}, {"place", missed.at ? point_json(*missed.at) : Json()}};
+  return {{"area", missed.area}, {"place", point_json(missed.at)}};
 }
 
 /// The loop at which the halves were refused.
@@ -60,7 +59,7 @@ Json refusal_json(const MoldReport& report) {
   if (report.written.refusal.empty()) return {};
   const std::string loop = refused_loop(report);
   return {{"why", report.written.refusal},
-          {"place", halves.refused_at ? point_json(*halves.refused_at) : Json()},
+          {"place", point_json(halves.refused_at)},
           {"loop", loop.empty() ? Json() : Json(loop)},
           {"change", halves.change}};
 }
@@ -150,7 +149,7 @@ void add_halves(const MoldReport& report, Json& json) {
   put_figures(found_figures(halves_figures(), halves), json);
   Json& surfaces = json["surfaces"];
   surfaces["contacts"] = contacts_json(halves);
-  surfaces["forced_at"] = halves.forced_at ? point_json(*halves.forced_at) : Json();
+  surfaces["forced_at"] = point_json(halves.forced_at);
   if (written.bodies.size() < 2) {
     json["halves"] = Json();
     return;

@@ -103,7 +103,7 @@ Json solids_json(const PieceSolids& solids) {
   Json refused, bodies = Json::array();
   if (!solids.refusal.empty()) {
     refused = {{"why", solids.refusal},
-               {"place", solids.refused_at ? point_json(*solids.refused_at) : Json()}};
+               {"place", point_json(solids.refused_at)}};
   }
   for (std::size_t k = 0; k < solids.solids.size(); ++k) {
     const auto& [direction, travel, sequence] = solids.solids[k];
