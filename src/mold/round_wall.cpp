@@ -18,6 +18,7 @@ constexpr double k_flat_deg = 0.5,
                  k_strip_deg = 45.0;    // bends within a strip of the wall, and between strips
 constexpr double k_off_axis_deg = 2.0;  // by which a normal's angle to the axis may differ
 constexpr double k_least_turn_deg = 60.0;
+constexpr std::size_t k_least_strips = 4;  // any three normals end on a circle: a chamfered edge is no wall
 constexpr std::size_t k_most_facets = 20'000;  // walls of more are judged by this part of them
 constexpr std::size_t k_most_guesses = 8;
 
@@ -29,6 +30,7 @@ struct Wall {
   glm::dvec3 axis{0.0};  // unit
   double area = 0.0;
   double turn_deg = 0.0;
+  std::size_t strips = 1;  // that face different ways
 };
 
 /// A normal of the wall, and where it points about the axis.
@@ -62,7 +64,7 @@ Wall wall_about(const FacetGeometry& geometry, const Adjacency& adjacency, Facet
   const double height = glm::dot(normal, guess);
   const double tolerance = std::sin(glm::radians(k_off_axis_deg));
   const glm::dvec3 zero = glm::normalize(normal - height * guess), quarter = glm::cross(guess, zero);
-  Wall wall{.axis = glm::dvec3(0.0), .area = geometry.areas[start], .turn_deg = 0.0};
+  Wall wall{.area = geometry.areas[start]};
   std::vector<Spoke> spokes = {{0.0, normal}};
   grow(adjacency, start, [&](FacetIndex facet, FacetIndex next) {
     const glm::dvec3& b = geometry.normals[next];
@@ -79,7 +81,9 @@ Wall wall_about(const FacetGeometry& geometry, const Adjacency& adjacency, Facet
   double gap = 360.0 - (spokes.back().angle_deg - spokes.front().angle_deg);
   for (std::size_t k = 1; k < spokes.size(); ++k) {
     area += glm::cross(spokes[k - 1].normal, spokes[k].normal);
-    gap = std::max(gap, spokes[k].angle_deg - spokes[k - 1].angle_deg);
+    const double step_deg = spokes[k].angle_deg - spokes[k - 1].angle_deg;
+    gap = std::max(gap, step_deg);
+    wall.strips += step_deg > k_flat_deg ? 1 : 0;
   }
   wall.turn_deg = 360.0 - gap;
   wall.axis = glm::length(area) > 0.0 ? glm::normalize(area) : guess;
@@ -118,7 +122,8 @@ std::optional<RoundWall> round_wall(const FacetGeometry& geometry, const Adjacen
     // The second time about the axis that the first time has found.
     const Wall rough = wall_about(geometry, adjacency, facet, axis);
     const Wall wall = wall_about(geometry, adjacency, facet, rough.axis);
-    if (wall.turn_deg >= k_least_turn_deg && wall.area > best.area) best = wall;
+    if (wall.turn_deg >= k_least_turn_deg && wall.strips >= k_least_strips && wall.area > best.area)
+      best = wall;
   }
   if (best.area <= 0.0) return std::nullopt;
   return RoundWall{half_sphere(best.axis), best.area};

@@ -16,8 +16,8 @@ struct RoundWall {
 };
 
 /// The round wall around `facet`: facets, joined over edges that bend by less than 45 degrees,
-/// whose normals have one angle to the axis and turn about it by 60 degrees at least. Nothing where there is
-/// none.
+/// whose normals have one angle to the axis and turn about it by 60 degrees at least, in four steps or more.
+/// Nothing where there is none.
 [[nodiscard]] std::optional<RoundWall> round_wall(const FacetGeometry& geometry, const Adjacency& adjacency,
                                                   FacetIndex facet);
 
