@@ -16,6 +16,7 @@
 #include "mesh/facet_geometry.hpp"
 #include "mesh/health.hpp"
 #include "mesh/open_surface.hpp"
+#include "mesh/polygon_lift.hpp"
 #include "mesh/polygon_triangulation.hpp"
 #include "mold/surface_samples.hpp"
 
@@ -319,6 +320,8 @@ class BodyShaper::Maker {
     for (auto at = border.rbegin(); at != border.rend(); ++at) outline.push_back(surface.mesh.vertices[*at]);
     std::vector<std::array<std::uint32_t, 3>> cap;
     if (PolygonTriangulator(k_cap_work).triangulate(outline, cap) == PolygonCut::fan_of_odd) return false;
+    // The steel of another action may fill what lies before it, as where bores cross.
+    lift_triangles(outline, action_.direction, cap);
     constexpr std::uint64_t k_places = 24;  // of a triangle
     const bool free = std::ranges::all_of(cap, [&](const auto& corners) {
       const glm::dvec3 &a = outline[corners[0]], &b = outline[corners[1]], &c = outline[corners[2]];

@@ -1,6 +1,8 @@
 // Which way out a slide takes.
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -37,6 +39,65 @@ TEST(SlideWay, OfOppositeWindowsIsOutwardsThoughAThirdIsBesideBoth) {
     EXPECT_EQ(action.undercuts.size(), action.direction.x > 0.0 ? 2U : 1U);
     EXPECT_NEAR(std::abs(action.direction.x), 1.0, 1e-9);
     EXPECT_NEAR(action.travel, 2.0 + 3.0, 1e-3);
+  }
+}
+
+/// A block with a round bore through it along x, and one of the same width from there out along y.
+TriangleMesh block_with_crossing_bores() {
+  constexpr int k_strips = 12;  // of half a bore
+  constexpr double k_radius = 6.0;
+  const glm::dvec3 low(-30, -10, -10), high(30, 20, 10);
+  const auto wide = [](int k) {
+    return k % k_strips == 0 ? 0.0 : k_radius * std::sin(std::numbers::pi * k / k_strips);
+  };
+  const auto at = [](int k) { return -k_radius * std::cos(std::numbers::pi * k / k_strips); };
+  SolidBuilder solid;
+  const auto wall = [&](test::Loop loop, const glm::dvec3& axis_point) {
+    if (glm::dot(glm::cross(loop[1] - loop[0], loop[2] - loop[0]), axis_point - loop[0]) < 0.0)
+      std::ranges::reverse(loop);
+    solid.face(loop);
+  };
+  const auto mouth = [&](const auto& corner) {
+    test::Loop loop;
+    for (int k = 0; k <= k_strips; ++k) loop.push_back(corner(wide(k), at(k)));
+    for (int k = k_strips - 1; k > 0; --k) loop.push_back(corner(-wide(k), at(k)));
+    return loop;
+  };
+  for (int k = 0; k < k_strips; ++k) {
+    const double a = wide(k), b = wide(k + 1), from = at(k), to = at(k + 1);
+    const glm::dvec3 inside(0, 0, 0.5 * (from + to));
+    for (const double side : {-1.0, 1.0}) {
+      const double end = side * high.x;
+      wall({{end, -a, from}, {0, -a, from}, {0, -b, to}, {end, -b, to}}, inside);
+      wall({{end, a, from}, {side * a, a, from}, {side * b, b, to}, {end, b, to}}, inside);
+      wall({{side * a, a, from}, {side * a, high.y, from}, {side * b, high.y, to}, {side * b, b, to}},
+           inside);
+    }
+  }
+  solid.box(low, high, {0, 1, 3});
+  for (const int face : {0, 1})
+    solid.face(box_face(low, high, face),
+               {mouth([&](double y, double z) { return glm::dvec3(face == 0 ? low.x : high.x, y, z); })});
+  solid.face(box_face(low, high, 3), {mouth([&](double x, double z) { return glm::dvec3(x, high.y, z); })});
+  return solid.mesh();
+}
+
+/// The steel in the one ends where the other passes: neither fills what the other does.
+TEST(SlideWay, OfBoresThatCrossIsOutThroughEach) {
+  for (const bool mixed : {false, true}) {
+    const TriangleMesh block = block_with_crossing_bores();
+    const Planned planned = plan_of(mixed ? test::permuted(block, 3) : block);
+    ASSERT_EQ(actions_text(planned.plan), "2 slides");
+    EXPECT_EQ(planned.plan.unreleased_area, 0.0);
+    double along = 0.0, aside = 0.0;
+    for (const SideAction& action : planned.plan.actions) {
+      ASSERT_TRUE(action.body);
+      EXPECT_FALSE(action.body->hit);
+      along = std::max(along, std::abs(action.direction.x));
+      aside = std::max(aside, action.direction.y);
+    }
+    EXPECT_NEAR(along, 1.0, 1e-9);
+    EXPECT_NEAR(aside, 1.0, 1e-9);
   }
 }
 
