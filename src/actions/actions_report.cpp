@@ -125,6 +125,7 @@ Json rejected_json(const RejectedAction& rejected) {
           {"depth", rejected.depth > 0.0 ? Json(rejected.depth) : Json()},
           {"when", rejected.depth > 0.0 ? Json(stage_text(rejected.when)) : Json()},
           {"width", rejected.width > 0.0 ? Json(rejected.width) : Json()},
+          {"lean_deg", rejected.lean_deg > 0.0 ? Json(rejected.lean_deg) : Json()},
           {"strain", rejected.strain > 0.0 ? Json(rejected.strain) : Json()},
           {"left", rejected.left > 0.0 ? Json(rejected.left) : Json()}};
 }
@@ -204,6 +205,14 @@ std::string pins_notice(const PartModel& model, const ActionPlan& plan) {
   return text;
 }
 
+std::string numbers_text(const std::vector<std::size_t>& numbers) {
+  constexpr std::size_t k_most = 12;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(numbers.size(), k_most); ++k)
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", numbers[k] + 1);
+  return numbers.size() > k_most ? fmt::format("{}, … {} in all", text, numbers.size()) : text;
+}
+
 std::string rejected_text(const PartModel& model, const ActionPlan& plan) {
   constexpr std::size_t k_most = 6;
   const FigureStyle style(model);
@@ -226,6 +235,9 @@ std::string rejected_text(const PartModel& model, const ActionPlan& plan) {
       case RejectReason::too_strained:
         return fmt::format("the part would stretch by {} %, more than --strip-strain permits",
                            rounded(100.0 * rejected.strain));
+      case RejectReason::too_steep:
+        return fmt::format("it leans {:.1f}° off the plane across the direction, more than --incline permits",
+                           rejected.lean_deg);
       case RejectReason::leaves_rest:
         return fmt::format("it leaves {} unreleased", style.with_unit(FigureKind::area, rejected.left));
       default:
@@ -234,12 +246,24 @@ std::string rejected_text(const PartModel& model, const ActionPlan& plan) {
                            stage_text(rejected.when));
     }
   };
+  struct Refused {
+    std::string kind, why;
+    std::vector<std::size_t> undercuts;
+  };
+  std::vector<Refused> all;
+  for (const RejectedAction& rejected : plan.rejected) {
+    Refused one{std::string(facts(rejected.kind).singular), why(rejected), {}};
+    auto same = std::ranges::find_if(
+        all, [&](const Refused& other) { return other.kind == one.kind && other.why == one.why; });
+    if (same == all.end()) same = all.insert(all.end(), std::move(one));
+    if (std::ranges::find(same->undercuts, rejected.undercut) == same->undercuts.end())
+      same->undercuts.push_back(rejected.undercut);
+  }
   std::string refused;
-  for (const RejectedAction& rejected :
-       std::span(plan.rejected).first(std::min(plan.rejected.size(), k_most)))
-    refused += fmt::format("{}{} for undercut {} ({})", refused.empty() ? "Refused: " : "; ",
-                           facts(rejected.kind).singular, rejected.undercut + 1, why(rejected));
-  if (plan.rejected.size() > k_most) refused += fmt::format("; {} more", plan.rejected.size() - k_most);
+  for (const Refused& one : std::span(all).first(std::min(all.size(), k_most)))
+    refused += fmt::format("{}{} for undercut{} {} ({})", refused.empty() ? "Refused: " : "; ", one.kind,
+                           one.undercuts.size() == 1 ? "" : "s", numbers_text(one.undercuts), one.why);
+  if (all.size() > k_most) refused += fmt::format("; {} more", all.size() - k_most);
   return refused.empty() ? refused : refused + ".";
 }
 

@@ -35,7 +35,9 @@ struct ActionsReport {
 [[nodiscard]] std::string meetings_text(const ActionPlan& plan);
 /// Core pins that are too slender, likewise.
 [[nodiscard]] std::string pins_notice(const PartModel& model, const ActionPlan& plan);
-/// Actions that cannot be built, likewise.
+/// "1, 4, 5" for these numbers, which count from 0.
+[[nodiscard]] std::string numbers_text(const std::vector<std::size_t>& numbers);
+/// Actions that cannot be built, likewise; those of one kind and reason together.
 [[nodiscard]] std::string rejected_text(const PartModel& model, const ActionPlan& plan);
 
 /// Of an action's body in the mold's sequence: "clear", "0.57 mm deep in the part at rest"; "-" without one.

@@ -80,7 +80,7 @@ class ActionSearch::Finder {
     plan.specks = undercuts_.specks;
     add_shallow_specks(plan);
     if (detail == PlanDetail::whole && plan.unreleased_area <= most_left) {
-      keep_rejected(model_, undercut_parts_, revolved_.rejected, plan);
+      keep_rejected(model_, undercut_parts_, revolved_.rejected, query_.direction, plan);
       report(plan);
     } else {
       for (const Undercut& undercut : undercuts_.counted) plan.undercuts.emplace_back().undercut = undercut;
@@ -97,6 +97,7 @@ class ActionSearch::Finder {
     revolved_ = revolved_options({model_, split_, undercuts_, query_, settings_, progress_}, undercut_parts_);
     set_shallow_apart();
     split_the_rest();
+    find_steep_slides();
     find_inserts();
     options_ = find_options();
   }
@@ -268,6 +269,29 @@ class ActionSearch::Finder {
     take_parts(parts);
   }
 
+  /// For what no action of the mold releases: as the part's shape says, beyond the inclination permitted.
+  void find_steep_slides() {
+    constexpr double k_steepest_deg = 60.0;
+    const std::vector<char> revolved = revolved_atoms();
+    ActionSettings steep = settings_;
+    steep.incline_deg = std::max(k_steepest_deg, settings_.incline_deg);
+    for_each_atom([&](std::size_t k) {
+      UndercutPart& undercut_part = undercut_parts_[k];
+      if (revolved[k] != 0 || !undercut_part.pulls.empty() || !undercut_part.allows(ActionKind::inclined))
+        return;
+      for (const PullCandidate& tried :
+           own_pulls({model_, split_, undercuts_.axes}, undercuts_.counted[undercut_part.undercut], steep)) {
+        if (std::abs(elevation_deg(tried.direction, query_.direction)) <= settings_.incline_deg ||
+            !pulls_.release().releases(undercut_part.samples, tried.direction, k_never))
+          continue;
+        undercut_part.steep =
+            Pull{.kind = ActionKind::inclined, .direction = tried.direction, .source = tried.source};
+        pulls_.estimate_travel(undercut_part.samples, *undercut_part.steep);
+        return;
+      }
+    });
+  }
+
   /// For what no action of the mold releases.
   void find_inserts() {
     progress_.report("looking for loose inserts", 0.7);
@@ -302,7 +326,8 @@ class ActionSearch::Finder {
             .whole = whole,
             .pin = undercut_parts_[k].pin,
             .covered = undercut_parts_[k].covered,
-            .thin = undercut_parts_[k].thin};
+            .thin = undercut_parts_[k].thin,
+            .steep = part == 0 ? undercut_parts_[k].steep : std::nullopt};
         set_rejected_apart(undercut_part);
         if (part == 0) {
           undercut_parts_[k] = std::move(undercut_part);

@@ -1,6 +1,7 @@
 #include "actions/rejected.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <set>
@@ -55,11 +56,31 @@ void add_thin_pins(const PartModel& model, std::span<const UndercutPart> undercu
   }
 }
 
+void add_steep_slides(const PartModel& model, std::span<const UndercutPart> undercut_parts,
+                      const glm::dvec3& direction, ActionPlan& plan) {
+  const double diagonal = model.frame.diagonal;
+  for (const UndercutPart& undercut_part : undercut_parts) {
+    if (!undercut_part.steep || is_well_released(plan, undercut_part.undercut)) continue;
+    const Pull& pull = *undercut_part.steep;
+    const UndercutSample& at = undercut_part.samples.front();
+    plan.rejected.push_back({.undercut = undercut_part.undercut,
+                             .kind = pull.kind,
+                             .direction = pull.direction,
+                             .travel = pull.travel * diagonal,
+                             .core_side = pull.core_side,
+                             .reason = RejectReason::too_steep,
+                             .place = model.frame.center + diagonal * glm::dvec3(at.position),
+                             .room = std::numeric_limits<double>::infinity(),
+                             .lean_deg = std::abs(elevation_deg(pull.direction, direction))});
+  }
+}
+
 }  // namespace
 
 void keep_rejected(const PartModel& model, std::span<const UndercutPart> undercut_parts,
-                   std::span<const RejectedAction> rings, ActionPlan& plan) {
+                   std::span<const RejectedAction> rings, const glm::dvec3& direction, ActionPlan& plan) {
   std::vector<RejectedAction> hitting = std::exchange(plan.rejected, {});
+  add_steep_slides(model, undercut_parts, direction, plan);
   add_lifters_without_room(model, undercut_parts, plan);
   add_thin_pins(model, undercut_parts, plan);
   std::ranges::copy_if(rings, std::back_inserter(plan.rejected),

@@ -8,10 +8,10 @@
 
 namespace moldlight {
 
-/// Leaves in the plan, by undercut: the shortest lifter without its room, pins that would be too thin,
-/// `rings` that would be stretched too far, and of what the plan has there, which hits, the first of each
-/// other kind.
+/// Leaves in the plan, by undercut: slides that would lean too much, the shortest lifter without its room,
+/// pins that would be too thin, `rings` that would be stretched too far, and of what the plan has there,
+/// which hits, the first of each other kind.
 void keep_rejected(const PartModel& model, std::span<const UndercutPart> undercut_parts,
-                   std::span<const RejectedAction> rings, ActionPlan& plan);
+                   std::span<const RejectedAction> rings, const glm::dvec3& direction, ActionPlan& plan);
 
 }  // namespace moldlight

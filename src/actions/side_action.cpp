@@ -15,15 +15,16 @@ bool has_room(const SideAction& action) {
 }
 
 std::string_view reject_text(RejectReason reason) {
-  constexpr std::array<std::string_view, 9> k_texts = {"no room for its thickness beyond its travel",
-                                                       "no way out along its half after its travel",
-                                                       "no place for its stem down to the ejector plate",
-                                                       "its travel is longer than ejectors drive it",
-                                                       "its core pin is too thin",
-                                                       "its body hits the part",
-                                                       "its body hits another one",
-                                                       "the rest of its undercut is not released",
-                                                       "the part would stretch too far"};
+  constexpr std::array<std::string_view, 10> k_texts = {"no room for its thickness beyond its travel",
+                                                        "no way out along its half after its travel",
+                                                        "no place for its stem down to the ejector plate",
+                                                        "its travel is longer than ejectors drive it",
+                                                        "its core pin is too thin",
+                                                        "its body hits the part",
+                                                        "its body hits another one",
+                                                        "the rest of its undercut is not released",
+                                                        "the part would stretch too far",
+                                                        "it leans more than an inclined slide may"};
   return k_texts[static_cast<std::size_t>(reason)];
 }
 

@@ -44,7 +44,8 @@ enum class RejectReason : std::uint8_t {
   hits_part,
   hits_body,
   leaves_rest,
-  too_strained
+  too_strained,
+  too_steep
 };
 /// "no room for its thickness", …
 [[nodiscard]] std::string_view reject_text(RejectReason reason);
@@ -109,6 +110,7 @@ struct RejectedAction {
   HitStage when = HitStage::rest;  // likewise
   double width = 0.0;              // of a thin pin
   double strain = 0.0;             // of a ring
+  double lean_deg = 0.0;           // of a slide that leans too much, off the plane across the direction
   double left = 0.0;               // area of its undercut that nothing would release beside it
 };
 

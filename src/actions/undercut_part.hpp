@@ -21,6 +21,7 @@ struct UndercutPart {
   const ActionPin* pin = nullptr;    // of its undercut
   bool covered = false;              // by another body of the part: nothing releases it
   std::optional<CorePin> thin = {};  // the pin that would form it, thinner than pins may be
+  std::optional<Pull> steep = {};    // a slide that would release it, but leans more than slides may
   bool shallow = false;              // clear within the least travel: it needs no action
 
   [[nodiscard]] bool allows(ActionKind kind) const {

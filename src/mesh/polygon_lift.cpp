@@ -29,6 +29,8 @@ class Lifted {
   }
 
   void lift() {
+    const auto is_folded = [&](const ThreeCorners& t) { return seen_area(t[0], t[1], t[2]) < -least_; };
+    if (std::ranges::any_of(triangles_, is_folded)) return;
     std::vector<Ends> open;
     for (const auto& [edge, triangle] : of_edge_) open.push_back(edge);
     for (std::size_t left = k_most_turns * triangles_.size(); left > 0 && !open.empty(); --left) {

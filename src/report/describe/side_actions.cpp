@@ -20,14 +20,6 @@ namespace {
 constexpr Colour k_unreleased = {110, 0, 30};
 constexpr std::size_t k_most_changes = 3;  // that stand beside what is unreleased
 
-std::string numbers_text(const std::vector<std::size_t>& numbers) {
-  constexpr std::size_t k_most = 12;
-  std::string text;
-  for (std::size_t k = 0; k < std::min(numbers.size(), k_most); ++k)
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", numbers[k] + 1);
-  return numbers.size() > k_most ? fmt::format("{}, … {} in all", text, numbers.size()) : text;
-}
-
 Section plan_section(const ActionsReport& found) {
   const ActionPlan& plan = found.plan;
   const FigureStyle style(found.model);

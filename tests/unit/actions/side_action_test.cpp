@@ -108,6 +108,13 @@ TEST(SideHole, LeaningOutOfThePlaneIsInclined) {
     });
     ASSERT_NE(found, actions.end()) << lean_deg;
     EXPECT_EQ(found->kind, kind) << lean_deg;
+    const auto& rejected = planned.plan.rejected;
+    ASSERT_EQ(rejected.empty(), lean_deg < 30.0) << lean_deg;
+    if (rejected.empty()) continue;
+    EXPECT_EQ(rejected[0].reason, RejectReason::too_steep);
+    EXPECT_NEAR(rejected[0].lean_deg, lean_deg, 0.01);
+    EXPECT_NEAR(line_angle_deg(rejected[0].direction, lean * glm::dvec3(1, 0, 0)), 0.0, 0.01);
+    EXPECT_NE(rejected_text(*planned.model, planned.plan).find("(it leans 45.0° off"), std::string::npos);
   }
 }
 
