@@ -14,6 +14,7 @@
 #include "actions/action_feature.hpp"
 #include "actions/body_figures.hpp"
 #include "actions/chosen_action.hpp"
+#include "actions/core_pins.hpp"
 #include "actions/least_set.hpp"
 #include "actions/rejected.hpp"
 #include "actions/revolved_options.hpp"
@@ -408,26 +409,7 @@ class ActionSearch::Finder {
     }
     for (SideAction& action : plan.actions)
       action.feature = feature_text({model_, split_, pulls_.release()}, plan, action);
-    set_pins(plan);
-  }
-
-  /// Of what slides and inserts form, the most slender pins.
-  void set_pins(ActionPlan& plan) const {
-    constexpr double k_widest = 0.25;  // of the diagonal: more is no pin
-    const double diagonal = model_.frame.diagonal;
-    for (const UndercutPart& undercut_part : undercut_parts_) {
-      const auto action = std::ranges::find_if(plan.actions, [&](const SideAction& each) {
-        return (is_slide(each.kind) || each.kind == ActionKind::insert) &&
-               std::ranges::find(each.undercuts, undercut_part.undercut) != each.undercuts.end();
-      });
-      if (action == plan.actions.end() || !undercut_part.whole) continue;
-      auto pin = core_pin_of(pulls_.release(), undercut_part.samples, k_widest);
-      if (!pin) continue;
-      pin->width *= diagonal;
-      pin->length = extent_along(split_, undercuts_.counted[undercut_part.undercut], pin->axis);
-      if (!action->core_pin || action->core_pin->length * pin->width < pin->length * action->core_pin->width)
-        action->core_pin = pin;
-    }
+    set_core_pins(model_, split_, pulls_.release(), undercuts_, undercut_parts_, plan);
   }
 
   /// Where a pin finds it, and the pin that did.

@@ -67,8 +67,7 @@ class Sharing {
   [[nodiscard]] bool join_slide(std::span<const std::size_t> group, std::size_t near, std::size_t k,
                                 Pull& pull) const {
     if (are_far(near, k, pull.direction) || !may_share(group.front(), k, pull.direction) ||
-        !are_near(near, k, pull.direction) ||
-        std::ranges::any_of(group, [&](std::size_t one) { return is_far_behind(one, k, pull.direction); }) ||
+        !are_near(near, k, pull.direction) || is_far_in_line(group, k, pull.direction) ||
         !pulls_.release().releases(undercut_parts_[k].samples, pull.direction, k_never))
       return false;
     Pull its = pull;
@@ -154,11 +153,23 @@ class Sharing {
     return {std::max(least[0] - greatest[1], least[1] - greatest[0]), longer, shorter};
   }
 
-  /// What lies behind the other is reached through the steel between: a pin through knuckles, or through
-  /// ribs, but not one through the core of a box to what has a shorter way out on its other side.
-  [[nodiscard]] bool is_far_behind(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
-    const Spacing between = spacing(a, b, pull);
-    if (between.gap <= k_bridged * between.longer || !are_in_line(a, b, pull)) return false;
+  /// What lies behind another is reached through the steel between: a pin through knuckles, or through ribs,
+  /// from each to the next, but not one through the core of a box to what has a shorter way out on its other
+  /// side.
+  [[nodiscard]] bool is_far_in_line(std::span<const std::size_t> group, std::size_t k,
+                                    const glm::dvec3& pull) const {
+    bool is_far = false;
+    for (const std::size_t one : group) {
+      const Spacing between = spacing(one, k, pull);
+      if (!are_in_line(one, k, pull)) continue;
+      if (between.gap <= k_bridged * between.longer) return false;
+      is_far = is_far || leaves_sooner_elsewhere(one, k, pull);
+    }
+    return is_far;
+  }
+
+  /// Whether that of the two which lies behind the other has a shorter way out.
+  [[nodiscard]] bool leaves_sooner_elsewhere(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
     const std::size_t behind = glm::dot(balls_[a].centre, pull) < glm::dot(balls_[b].centre, pull) ? a : b;
     const double way = pulls_.release().reach(pull) - glm::dot(balls_[behind].centre, pull);
     return std::ranges::any_of(undercut_parts_[behind].pulls, [&](const Pull& other) {

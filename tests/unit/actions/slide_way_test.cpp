@@ -128,13 +128,13 @@ TEST(SlideWay, OfAHoleInAWallIsTheShorterOne) {
 }
 
 /// Upright ribs on a plate, the first `bored` of them with a square hole in line.
-TriangleMesh ribs_with_holes(int ribs, int bored) {
-  constexpr double k_apart = 8.0, k_thick = 2.0, k_first = 4.0, k_width = 30.0;
+TriangleMesh ribs_with_holes(int ribs, int bored, double thick = 2.0) {
+  constexpr double k_apart = 8.0, k_first = 4.0, k_width = 30.0;
   const auto begin = [](int rib) { return k_first + k_apart * rib; };
   const double length = begin(ribs) + k_first;
   Loop2 side = {{0, 0}, {length, 0}, {length, 3}};
   for (int rib = ribs - 1; rib >= 0; --rib) {
-    const double from = begin(rib), to = from + k_thick;
+    const double from = begin(rib), to = from + thick;
     for (const glm::dvec2& corner : {glm::dvec2(to, 3), {to, 18}, {from, 18}, {from, 3}})
       side.push_back(corner);
   }
@@ -146,7 +146,7 @@ TriangleMesh ribs_with_holes(int ribs, int bored) {
     far.emplace_back(corner->x, k_width, corner->y);
   solid.face(near);
   solid.face(far);
-  const double last = begin(bored - 1) + k_thick;
+  const double last = begin(bored - 1) + thick;
   for (std::size_t k = 0; k < side.size(); ++k) {
     const glm::dvec2 &a = side[k], &b = side[(k + 1) % side.size()];
     std::vector<test::Loop> holes;
@@ -155,7 +155,7 @@ TriangleMesh ribs_with_holes(int ribs, int bored) {
     solid.face({{a.x, 0, a.y}, {a.x, k_width, a.y}, {b.x, k_width, b.y}, {b.x, 0, b.y}}, holes);
   }
   for (int rib = 0; rib < bored; ++rib)
-    solid.box({begin(rib), 12, 8}, {begin(rib) + k_thick, 18, 14}, {0, 1}, true);
+    solid.box({begin(rib), 12, 8}, {begin(rib) + thick, 18, 14}, {0, 1}, true);
   return solid.mesh();
 }
 
@@ -177,6 +177,16 @@ TEST(SlideWay, OfHolesInLineBeforeAClosedRibIsOneSlide) {
   EXPECT_EQ(planned.plan.actions[0].undercuts.size(), 4U);
   EXPECT_NEAR(planned.plan.actions[0].direction.x, -1.0, 1e-9);
   EXPECT_NEAR(planned.plan.actions[0].travel, 26.0 + 3.0, 1e-3);
+  ASSERT_TRUE(planned.plan.actions[0].core_pin);
+  EXPECT_NEAR(planned.plan.actions[0].core_pin->length, 26.0, 0.5) << "through all of them";
+}
+
+/// From each to the next the gap is no wider than they are: a pin goes through all, as through a hinge.
+TEST(SlideWay, OfKnucklesIsOnePin) {
+  const Planned planned = plan_of(ribs_with_holes(3, 3, 4.0));
+  ASSERT_EQ(actions_text(planned.plan), "1 slide");
+  EXPECT_EQ(planned.plan.actions[0].undercuts.size(), 3U);
+  EXPECT_NEAR(planned.plan.actions[0].travel, 20.0 + 3.0, 1e-3);
 }
 
 /// Wherever its facets lie.
