@@ -194,17 +194,40 @@ PartingLoop measured(const Assignment& a, const LineSmoother& smoother, Walk wal
   PartingLoop loop;
   smooth(a, smoother, walk, loop);
   const std::vector<glm::dvec3>& points = loop.points;
+  std::vector<std::uint8_t> breaks;
+  for (const std::size_t of_edge : walk.edges) {
+    const PieceEdge& edge = a.edges.edges[of_edge];
+    const bool open = edge.right == k_no_piece;
+    const MoldSide left = a.sides[edge.left], other = open           ? MoldSide::action
+                                                      : left == side ? a.sides[edge.right]
+                                                                     : left;
+    breaks.push_back(side != MoldSide::action && other == MoldSide::action ? 1 : 0);
+  }
+  if (std::ranges::find(breaks, 0) == breaks.end()) {
+    loop.kind = LoopKind::action;
+    std::ranges::fill(breaks, std::uint8_t{0});
+  }
   loop.low = INFINITY;
   loop.high = -INFINITY;
   double crease = 0.0;
-  std::vector<std::uint8_t> breaks;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const glm::dvec3 &from = points[k], &to = points[(k + 1) % points.size()];
     const double length = glm::distance(from, to), climb = std::abs(glm::dot(to - from, d));
     const PieceEdge& edge = a.edges.edges[walk.edges[k]];
     loop.length += length;
-    loop.low = std::min(loop.low, glm::dot(from, d));
-    loop.high = std::max(loop.high, glm::dot(from, d));
+    if (a.crease[walk.edges[k]] != 0) crease += length;
+    const glm::dvec3 across = from - points[0], next = to - points[0];
+    loop.area += 0.5 * (glm::dot(across, frame.x) * glm::dot(next, frame.y) -
+                        glm::dot(across, frame.y) * glm::dot(next, frame.x));
+    if (breaks[k] != 0) {
+      loop.break_length += length;
+      if (breaks[(k + 1) % breaks.size()] == 0) ++loop.breaks;
+      continue;
+    }
+    for (const glm::dvec3& end : {from, to}) {
+      loop.low = std::min(loop.low, glm::dot(end, d));
+      loop.high = std::max(loop.high, glm::dot(end, d));
+    }
     loop.up_and_down += climb;
     if (climb > k_steep_sine * length) {
       loop.steep_length += length;
@@ -214,25 +237,6 @@ PartingLoop measured(const Assignment& a, const LineSmoother& smoother, Walk wal
     }
     if (length > 0.0)
       loop.steepest_deg = std::max(loop.steepest_deg, glm::degrees(std::asin(std::min(1.0, climb / length))));
-    if (a.crease[walk.edges[k]] != 0) crease += length;
-    const glm::dvec3 across = from - points[0], next = to - points[0];
-    loop.area += 0.5 * (glm::dot(across, frame.x) * glm::dot(next, frame.y) -
-                        glm::dot(across, frame.y) * glm::dot(next, frame.x));
-    const bool open = edge.right == k_no_piece;
-    const MoldSide left = a.sides[edge.left], other = open           ? MoldSide::action
-                                                      : left == side ? a.sides[edge.right]
-                                                                     : left;
-    breaks.push_back(side != MoldSide::action && other == MoldSide::action ? 1 : 0);
-    if (breaks.back() != 0) loop.break_length += length;
-  }
-  for (std::size_t k = 0; k < breaks.size(); ++k) {
-    if (breaks[k] != 0 && breaks[(k + 1) % breaks.size()] == 0) ++loop.breaks;
-  }
-  const bool all_action = std::ranges::find(breaks, 0) == breaks.end();
-  if (all_action) {
-    loop.kind = LoopKind::action;
-    loop.breaks = 0;
-    loop.break_length = 0.0;
   }
   loop.on_crease = loop.length > 0.0 ? crease / loop.length : 0.0;
   loop.flatness = flatness_of(points, loop.length);

@@ -22,6 +22,7 @@ struct PartingLoop {
   std::vector<VertexIndex> vertices;  // of the assignment's mesh; closed, the first is not repeated
   std::vector<glm::dvec3> points;     // where it runs: its vertices, moved where it was smoothed
   double length = 0.0;
+  // Of what is not broken by a side action, all heights and slopes:
   double low = 0.0, high = 0.0;  // along the direction, in the part's coordinates
   double flatness = 0.0;         // greatest distance from its best plane
   double up_and_down = 0.0;      // all of its climbs and descents

@@ -260,7 +260,8 @@ TEST(PartingLine, OfAnUprightTorusFollowsItsTop) {
   ASSERT_FALSE(found.line.loops.empty());
   const PartingLoop& outer = found.line.loops[0];
   EXPECT_EQ(outer.kind, LoopKind::outer);
-  EXPECT_NEAR(outer.climb(), 10.0, 0.1);
+  EXPECT_NEAR(outer.climb(), 0.0, 1e-9) << "of what no action breaks";
+  EXPECT_GT(outer.breaks, 0U);
   EXPECT_NEAR(outer.length, 2.0 * std::numbers::pi * (10.0 + 2.0), 1.0);
 }
 
