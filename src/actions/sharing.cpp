@@ -46,16 +46,20 @@ class Sharing {
     double radius = 0.0;
   };
 
-  /// All that join one that is there.
+  /// All that join one that is there: those first that have no shorter way out elsewhere.
   void add_group(std::vector<ActionOption>& options, std::size_t first, Pull pull) const {
     std::vector<std::size_t> group = {first};
-    for (std::size_t next = 0; next < group.size(); ++next) {
-      for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
-        pulls_.release().end_if_cancelled();
-        if (std::ranges::find(group, k) == group.end() && undercut_parts_[k].allows(pull.kind) &&
-            (is_slide(pull.kind) ? join_slide(group, group[next], k, pull)
-                                 : join_lifter(group, group[next], k, pull)))
-          group.push_back(k);
+    const auto joins = [&](std::size_t near, std::size_t k) {
+      return std::ranges::find(group, k) == group.end() && undercut_parts_[k].allows(pull.kind) &&
+             (is_slide(pull.kind) ? join_slide(group, near, k, pull) : join_lifter(group, near, k, pull));
+    };
+    for (const bool any : {false, true}) {
+      for (std::size_t next = 0; next < group.size(); ++next) {
+        for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
+          pulls_.release().end_if_cancelled();
+          if ((any || !leaves_sooner_elsewhere(k, pull.direction)) && joins(group[next], k))
+            group.push_back(k);
+        }
       }
     }
     if (group.size() < 2) return;
@@ -163,16 +167,15 @@ class Sharing {
       const Spacing between = spacing(one, k, pull);
       if (!are_in_line(one, k, pull)) continue;
       if (between.gap <= k_bridged * between.longer) return false;
-      is_far = is_far || leaves_sooner_elsewhere(one, k, pull);
+      const bool one_behind = glm::dot(balls_[one].centre, pull) < glm::dot(balls_[k].centre, pull);
+      is_far = is_far || leaves_sooner_elsewhere(one_behind ? one : k, pull);
     }
     return is_far;
   }
 
-  /// Whether that of the two which lies behind the other has a shorter way out.
-  [[nodiscard]] bool leaves_sooner_elsewhere(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
-    const std::size_t behind = glm::dot(balls_[a].centre, pull) < glm::dot(balls_[b].centre, pull) ? a : b;
-    const double way = pulls_.release().reach(pull) - glm::dot(balls_[behind].centre, pull);
-    return std::ranges::any_of(undercut_parts_[behind].pulls, [&](const Pull& other) {
+  [[nodiscard]] bool leaves_sooner_elsewhere(std::size_t k, const glm::dvec3& pull) const {
+    const double way = pulls_.release().reach(pull) - glm::dot(balls_[k].centre, pull);
+    return std::ranges::any_of(undercut_parts_[k].pulls, [&](const Pull& other) {
       return is_slide(other.kind) && glm::dot(other.direction, pull) < k_elsewhere &&
              other.way < k_shorter * way;
     });
