@@ -16,6 +16,8 @@ namespace {
 /// Of a face: where less of it is undercut, its rest stays with the half that forms it, and no slide covers
 /// the side of a part for the sake of a corner.
 constexpr double k_least_hidden = 0.1;
+/// A lifter's head is no wider than what it frees, unless that is most of a face.
+constexpr double k_least_hidden_of_lifter = 0.5;
 
 struct StraightWay {
   glm::dvec3 direction;
@@ -65,8 +67,9 @@ void add_formed_surface(const FormedContext& context, const SideAction* action, 
     undercut_of[split.pieces[piece].facet] += piece_area(split, split.pieces[piece]);
   std::set<std::uint32_t> touched;
   for (const auto& [facet, area] : undercut_of) touched.insert(faces.of_facet[facet]);
-  const double far = action->kind == ActionKind::lifter ? action->travel / model.frame.diagonal
-                                                        : std::numeric_limits<double>::infinity();
+  const bool lifter = action->kind == ActionKind::lifter;
+  const double far = lifter ? action->travel / model.frame.diagonal : std::numeric_limits<double>::infinity();
+  const double least_hidden = lifter ? k_least_hidden_of_lifter : k_least_hidden;
   noted.formed_area = 0.0;
   for (const std::uint32_t face : touched) {
     double area = 0.0, hidden_area = 0.0;
@@ -75,7 +78,7 @@ void add_formed_surface(const FormedContext& context, const SideAction* action, 
       if (const auto hidden = undercut_of.find(facet); hidden != undercut_of.end())
         hidden_area += hidden->second;
     }
-    if (hidden_area < k_least_hidden * area) {
+    if (hidden_area < least_hidden * area) {
       noted.formed_area += hidden_area;
       continue;
     }
