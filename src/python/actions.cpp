@@ -51,7 +51,7 @@ py::list bodies_of_actions(const PythonActions& self, const py::object& /*progre
 
 constexpr std::string_view k_actions_text =
     "The slides, lifters and other side actions that release the undercuts. Returns an Actions.\n\n"
-    "direction, progress: as for classify().";
+    "direction, isolated, progress: as for classify().";
 
 void add_actions(py::module_& module, PartClass& part) {
   py::class_<PythonActions, SharedActions> found(
@@ -92,7 +92,7 @@ void add_actions(py::module_& module, PartClass& part) {
   part.def("actions", &find_side_actions, py::arg("direction"),
            call_doc({.name = "actions",
                      .arguments = "self, direction",
-                     .more = "progress=None",
+                     .more = "isolated=False, progress=None",
                      .text = k_actions_text,
                      .settings = "actions"}));
 }

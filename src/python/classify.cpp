@@ -246,6 +246,7 @@ constexpr std::string_view k_classify_text =
     "direction: three numbers of any length, an axis such as 'z' or '-y', or 'best', what a sweep finds.\n"
     "split: make the split mesh at once, in place of when it is first asked for.\n"
     "compare_maps: measure how far the shadow maps are from exact regions; needs OpenGL.\n"
+    "isolated: work in a process of its own, which keeps the result. What ends that process raises Error.\n"
     "progress: as for Part(). Returns a Classification.";
 
 void add_classify(py::module_& module, PartClass& part) {
@@ -279,7 +280,7 @@ void add_classify(py::module_& module, PartClass& part) {
   part.def("classify", &classify, py::arg("direction"),
            call_doc({.name = "classify",
                      .arguments = "self, direction",
-                     .more = "split=False, compare_maps=False, progress=None",
+                     .more = "split=False, compare_maps=False, isolated=False, progress=None",
                      .text = k_classify_text,
                      .settings = "classify"}));
 }

@@ -76,7 +76,7 @@ constexpr std::string_view k_compare_text =
     "What a revision of a part changes for the mold. Returns a Comparison.\n\n"
     "before, after: two Parts.\n"
     "direction: as for classify(); 'best' is the best of the part before, 'each' the best of each part.\n"
-    "progress: as for Part().";
+    "isolated: as for classify(). progress: as for Part().";
 
 void add_compare(py::module_& module, PartClass& part) {
   py::class_<PythonComparison, SharedComparison> result(
@@ -117,7 +117,7 @@ void add_compare(py::module_& module, PartClass& part) {
   module.def("compare", &compare, py::arg("before"), py::arg("after"), py::arg("direction") = "best",
              call_doc({.name = "compare",
                        .arguments = "before, after, direction='best'",
-                       .more = "progress=None",
+                       .more = "isolated=False, progress=None",
                        .text = k_compare_text,
                        .settings = "compare"}));
   part.def("_compared", &compare);

@@ -57,7 +57,7 @@ SharedDraft find_draft(const PythonPart& self, const py::object& direction, cons
 
 constexpr std::string_view k_draft_text =
     "The walls with too little draft, and how far each must turn. Returns a Draft.\n\n"
-    "direction, progress: as for classify().\n"
+    "direction, isolated, progress: as for classify().\n"
     "finish: the finish of faces, which asks for a draft of its own: a dict such as {3: 'texture 0.03 mm'},\n"
     "or the name of a file as --finish reads it. Faces are numbered as in face_areas.";
 
@@ -97,7 +97,7 @@ void add_draft(py::module_& module, PartClass& part) {
   part.def("draft", &find_draft, py::arg("direction"),
            call_doc({.name = "draft",
                      .arguments = "self, direction",
-                     .more = "finish=None, progress=None",
+                     .more = "finish=None, isolated=False, progress=None",
                      .text = k_draft_text,
                      .settings = "draft"}));
 }

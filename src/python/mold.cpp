@@ -79,7 +79,7 @@ py::object area_of(const PythonMold& self) {
 
 constexpr std::string_view k_mold_text =
     "The parting line of a direction and the two halves of a mold. Returns a Mold.\n\n"
-    "direction, progress: as for classify().\n"
+    "direction, isolated, progress: as for classify().\n"
     "actions: find the side actions, too, and which inserts go with them.";
 
 void add_mold(py::module_& module, PartClass& part) {
@@ -136,7 +136,7 @@ void add_mold(py::module_& module, PartClass& part) {
   part.def("mold", &find_mold, py::arg("direction"),
            call_doc({.name = "mold",
                      .arguments = "self, direction",
-                     .more = "actions=False, progress=None",
+                     .more = "actions=False, isolated=False, progress=None",
                      .text = k_mold_text,
                      .settings = "mold"}));
 }

@@ -67,7 +67,7 @@ constexpr std::string_view k_pieces_text =
     "Pieces.\n\n"
     "solids: make the pieces as solids, too. margin, ramp_deg, land, slope_deg, shrink_pct and registration\n"
     "are those of their halves.\n"
-    "progress: as for Part().";
+    "isolated: as for classify(). progress: as for Part().";
 
 void add_pieces(py::module_& module, PartClass& part) {
   py::class_<PythonPieces, SharedPieces> found(
@@ -120,7 +120,7 @@ void add_pieces(py::module_& module, PartClass& part) {
   part.def("pieces", &pieces,
            call_doc({.name = "pieces",
                      .arguments = "self",
-                     .more = "solids=False, progress=None",
+                     .more = "solids=False, isolated=False, progress=None",
                      .text = k_pieces_text,
                      .settings = "pieces"}));
 }

@@ -84,6 +84,7 @@ std::string text(const PythonSweep& self) {
 
 constexpr std::string_view k_sweep_text =
     "Finds the best parting directions. Returns a Sweep.\n\n"
+    "isolated: as for classify().\n"
     "progress: as for Part(), but where it returns False, the sweep ends with what is done by then.";
 
 void add_sweep(py::module_& module, PartClass& part) {
@@ -124,7 +125,7 @@ void add_sweep(py::module_& module, PartClass& part) {
   part.def("sweep", &sweep,
            call_doc({.name = "sweep",
                      .arguments = "self",
-                     .more = "progress=None",
+                     .more = "isolated=False, progress=None",
                      .text = k_sweep_text,
                      .settings = "sweep"}));
 }

@@ -2,6 +2,8 @@
 
 import math
 import os
+import pathlib
+import signal
 import sys
 import unittest
 from unittest import mock
@@ -43,6 +45,21 @@ class RegionsTest(DocumentCase):
         self.assertEqual(len(floor), 1)
         self.assertAlmostEqual(mixed.Mesh.Area, floor[0], delta=1e-3)
         self.assertEqual(sum(mixed.Counts), mixed.Mesh.CountFacets)
+
+    def test_what_ends_the_module_ends_no_document(self):
+        found = self.make(models.feature(self.document, models.lid_shape()))
+        areas = list(found.FaceAreas)
+        tasks = pathlib.Path("/proc/self/task").iterdir()
+        children = {int(child) for task in tasks for child in (task / "children").read_text(encoding="ascii").split()}
+        self.assertTrue(children)
+        for child in children:
+            os.kill(child, signal.SIGSEGV)
+            os.waitid(os.P_PID, child, os.WEXITED | os.WNOWAIT)
+        facets = self.document.MixedFaces.Mesh.CountFacets
+        self.document.MixedFaces.touch()
+        self.recompute()
+        self.assertEqual(self.document.MixedFaces.Mesh.CountFacets, facets)
+        self.assertEqual(list(found.FaceAreas), areas)
 
     def test_fillets(self):
         body, radius = models.filleted(self.document)

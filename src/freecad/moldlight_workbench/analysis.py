@@ -4,7 +4,7 @@ kept while neither changes, and its report in the document."""
 import json
 
 from . import progress, properties, regions
-from .engine import translate
+from .engine import isolated, translate
 
 
 class Analysis(properties.Proxy):
@@ -30,7 +30,7 @@ class Analysis(properties.Proxy):
         settings = properties.settings(asked_of, "classify", regions.CLASSIFY_KEYS)
         settings.update(properties.settings(obj, self.call, self.keys))
         if self._found is None or self._found[0] is not part or self._found[1] != (along, settings):
-            answer = getattr(part.part, self.call)(*along, progress=listener, **settings)
+            answer = getattr(part.part, self.call)(*along, isolated=isolated(), progress=listener, **settings)
             self._found = (part, (along, settings), answer)
         return part, self._found[2]
 

@@ -9,6 +9,11 @@ class Refusal(Exception):
     """A request that cannot be met; its text says why, and what to do."""
 
 
+def isolated():
+    """Whether work can be done in a process of its own, so that a fault of the module takes no document with it."""
+    return engine().can_isolate()
+
+
 def engine():
     """The module moldlight. Raises Refusal if it is not there."""
     try:

@@ -4,7 +4,7 @@ import FreeCAD
 import numpy
 
 from . import directions, progress, properties, shapes, words
-from .engine import Refusal, engine, translate
+from .engine import Refusal, engine, isolated, translate
 
 # A face is mixed if more than this share of it belongs to other regions than the one that has most of it.
 MIXED_SHARE = 1e-3
@@ -90,7 +90,7 @@ class MoldRegions(properties.Proxy):
         part = self.faceted_part(obj, listener)
         asked = tuple(direction(obj)), properties.settings(obj, "classify", CLASSIFY_KEYS)
         if self._found is None or self._found[0] is not part or self._found[1:3] != asked:
-            found = part.part.classify(asked[0], split=True, progress=listener, **asked[1])
+            found = part.part.classify(asked[0], split=True, isolated=isolated(), progress=listener, **asked[1])
             self._found = (part, *asked, found)
         return part, self._found[3]
 

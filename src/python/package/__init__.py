@@ -19,6 +19,7 @@ Python's lock is released while work runs, so threads compute side by side.
 from . import _conversions, _core, _notebook  # noqa: F401
 from ._core import *  # noqa: F401,F403
 from ._batch import BatchResult, batch  # noqa: F401
+from ._isolated import can_isolate, isolating as _isolating
 from ._core import __version__
 
 
@@ -59,10 +60,14 @@ _core.Comparison.verdicts = property(
 _core.Comparison.verdict = property(
     lambda self: Verdict({**(self.verdicts["b"] or {}), "sentence": _change.fget(self)}), doc=_change.__doc__)
 
-__all__ = sorted([name for name in vars(_core) if not name.startswith("_")] + ["BatchResult", "Verdict", "batch"])
+for _name in ("classify", "draft", "sweep", "actions", "mold", "pieces"):
+    setattr(_core.Part, _name, _isolating(getattr(_core.Part, _name)))
+compare = _core.compare = _isolating(_core.compare)
+
+__all__ = sorted([name for name in vars(_core) if not name.startswith("_")] + ["BatchResult", "Verdict", "batch", "can_isolate"])
 
 # What is said of the classes is the package's.
 for _name in __all__:
-    if isinstance(globals()[_name], type) or _name == "batch":
+    if isinstance(globals()[_name], type) or _name in ("batch", "can_isolate"):
         globals()[_name].__module__ = __name__
 del _name, _owner
