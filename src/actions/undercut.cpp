@@ -67,8 +67,8 @@ class UndercutBoxes {
       highest_.push_back(std::max(boxes_[undercut].high.x, highest_.empty() ? -k_infinite : highest_.back()));
   }
 
-  /// Of the other undercuts that come as near as `reach` to the undercut's box.
-  [[nodiscard]] std::vector<Box> near(std::uint32_t undercut, double reach) const {
+  /// Of the other undercuts that come as near as `reach` to the undercut's box. Counts those that it asks.
+  [[nodiscard]] std::vector<Box> near(std::uint32_t undercut, double reach, std::size_t& asked) const {
     const Box& own = boxes_[undercut];
     std::vector<Box> found;
     auto place = std::ranges::upper_bound(boxed_, own.high.x + reach, {},
@@ -76,6 +76,7 @@ class UndercutBoxes {
                  boxed_.begin();
     while (place-- > 0 && highest_[static_cast<std::size_t>(place)] >= own.low.x - reach) {
       const std::uint32_t other = boxed_[static_cast<std::size_t>(place)];
+      ++asked;
       if (other != undercut && boxes_[other].meets(own, reach)) found.push_back(boxes_[other]);
     }
     return found;
@@ -103,10 +104,18 @@ std::vector<std::uint32_t> near_others(const SplitMesh& split, std::span<const P
   const UndercutBoxes undercuts(boxes, std::move(roots));
   std::vector<Box> others;
   std::vector<std::uint32_t> near;
+  // Ten thousand undercuts, and to ask on takes longer than to join pieces in vain.
+  constexpr std::size_t k_most_asked = 100'000'000;
+  std::size_t asked = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (progress.cancelled()) throw Cancelled();
+    if (asked > k_most_asked) {
+      near.push_back(order[k]);
+      continue;
+    }
     if (k == 0 || root_of[order[k]] != root_of[order[k - 1]])
-      others = undercuts.near(root_of[order[k]], reach);
+      others = undercuts.near(root_of[order[k]], reach, asked);
+    asked += others.size();
     Box own;
     for (std::size_t c = 0; c < 3; ++c) own.take(split.corner(pieces[order[k]], c));
     if (std::ranges::any_of(others, [&](const Box& other) { return other.meets(own, reach); }))

@@ -141,6 +141,11 @@ void compare_molds(const OverlaySide& side_a, const OverlaySide& side_b, const C
   }
   const Assignment of_a = find_mold_line(*a.model, {query.a, a.result.settings}, {}, progress).assignment,
                    of_b = find_mold_line(*b.model, {query.b, b.result.settings}, {}, progress).assignment;
+  if (of_a.sampled || of_b.sampled) {
+    comparison.remarks.emplace_back(
+        "Whether A's mold survives is not known, since too many facets of a part cross others");
+    return;
+  }
   MoldChange mold;
   mold.places =
       find_steel({side_a, of_a, plan_of(a)}, {side_b, of_b, plan_of(b)}, comparison.surface, progress);

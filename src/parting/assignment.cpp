@@ -271,14 +271,16 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
   Costs costs = costs_of(model, result);
   add_wishes(model, settings, result, costs);
 
-  const std::vector<double> heights = height ? std::vector<double>{*height} : level_heights(model, result);
+  const std::vector<double> heights = height           ? std::vector<double>{*height}
+                                      : result.sampled ? std::vector<double>{0.0}
+                                                       : level_heights(model, result);
   struct Trial {
     std::vector<MoldSide> sides;
     double energy = 0.0;
   };
   std::vector<Trial> trials(heights.size());
   tbb::parallel_for(std::size_t{0}, heights.size(), [&](std::size_t k) {
-    trials[k].sides = cut_sides(result, costs, heights[k], progress);
+    trials[k].sides = result.sampled ? result.sides : cut_sides(result, costs, heights[k], progress);
     trials[k].energy = energy_of(result, costs, heights[k], trials[k].sides);
   });
   const auto best = std::ranges::min_element(trials, {}, &Trial::energy);
@@ -321,7 +323,9 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
   Assignment result;
   result.direction = exact.direction;
   result.lateral = exact.lateral * model.frame.diagonal;
-  result.mesh = exact_split(model.exact(progress), exact, progress).mesh;
+  ExactSplit split = exact_split(model.exact(progress), exact, progress);
+  result.sampled = split.areas.mostly_sampled();
+  result.mesh = std::move(split.mesh);
   if (settings.parting_height) check_height(model, result.direction, *settings.parting_height);
   progress.report("assigning", 0.0);
 

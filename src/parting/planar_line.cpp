@@ -102,7 +102,7 @@ MoldLine find_mold_line(const PartModel& model, const Query& query, const MoldSe
   found.line = parting_line(found.assignment);
   const double diagonal = model.frame.diagonal, worth = planar_worth(settings, diagonal);
   const auto is_planar = [&](const MoldLine& line) { return line.line.is_planar(diagonal); };
-  if (settings.parting_height || is_planar(found)) return found;
+  if (settings.parting_height || found.assignment.sampled || is_planar(found)) return found;
   const auto cost_of = [&](const MoldLine& line) {
     return line.assignment.energy - (is_planar(line) ? worth : 0.0);
   };

@@ -45,8 +45,6 @@ constexpr double k_least_share = 1e-14;
 constexpr std::size_t k_most_kept = 12;
 /// Cuts of polygons that are tried: real parts ask for forty a facet at most.
 constexpr std::size_t k_any_cuts = 10'000'000, k_cuts_a_facet = 500;
-/// Share of the facets of which regions may be sampled.
-constexpr double k_most_sampled = 0.01;
 
 [[noreturn]] void refuse(const PartModel& model) {
   throw Error(model.part.file +
@@ -62,9 +60,7 @@ const LeftSurface::Line& LeftSurface::line_of(const glm::dvec3& direction, const
   ExactQuery query = query_;
   query.direction = direction;
   ExactSplit split = exact_split(model_.exact(progress), query, progress);
-  if (static_cast<double>(split.areas.sampled_facets) >
-      k_most_sampled * static_cast<double>(model_.part.mesh.facets.size()))
-    refuse(model_);
+  if (split.areas.mostly_sampled()) refuse(model_);
   Line line{.mesh = std::move(split.mesh), .first = {}};
   line.first.assign(model_.part.mesh.facets.size() + 1, 0);
   for (const SplitPiece& piece : line.mesh.pieces) ++line.first[piece.facet + 1];

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
 #include "classify/classify_report.hpp"
 #include "classify/number_format.hpp"
 #include "parting/make_halves.hpp"
@@ -109,7 +110,13 @@ Asked<MoldLine>::Inputs Asked<MoldLine>::inputs(const Study& study) {
 }
 std::shared_ptr<const MoldLine> Asked<MoldLine>::find(Study& study, const Progress& progress) {
   const Questions& asked = study.questions();
-  return shared(find_mold_line(study.model(), asked.query, asked.mold, progress));
+  auto line = shared(find_mold_line(study.model(), asked.query, asked.mold, progress));
+  if (line->assignment.sampled)
+    throw Error(study.model().part.file +
+                ": too many of its facets cross others to find a parting line; unite its bodies (--repair "
+                "union), take one "
+                "of them (--body), or raise --effort");
+  return line;
 }
 
 Asked<MoldHalves>::Inputs Asked<MoldHalves>::inputs(const Study& study) {

@@ -166,7 +166,7 @@ void FacetSplitter::run(FacetIndex facet, const FacetTest& test, bool keep_cells
   } else {
     gather(facet, test);
   }
-  if (segments_.empty()) {
+  if (segments_.empty() && !work.sampled) {
     cells_.keep_whole(region_of_whole(facet, test, region_at),
                       projected_.part().geometry().areas[facet] / square_);
     return;

@@ -37,6 +37,8 @@ struct ExactAreas {
   /// The error is twice the standard deviation of each region's area.
   std::size_t sampled_facets = 0;
   double sampling_error = 0.0;
+  /// Of more than one facet in a hundred: lines between regions say little then.
+  [[nodiscard]] bool mostly_sampled() const { return 100 * sampled_facets > facet_fractions.size(); }
 };
 
 struct ExactSplit {

@@ -34,7 +34,9 @@ constexpr std::size_t k_projection_grain = 4096;
 constexpr std::uint64_t k_always_work = 1'000'000, k_work_a_facet = 300;
 constexpr std::uint32_t k_most_work = 1U << 30U, k_least_cells = 64, k_most_cells = 1U << 22U;
 constexpr double k_always_cells = 100'000.0, k_cells_a_facet = 20.0;
-constexpr double k_least_lattice = 3.0, k_most_lattice = 16.0;
+constexpr double k_most_lattice = 16.0;
+/// Facets that are looked at for the points of lattices, which stand where the grids are crowded.
+constexpr double k_always_point_looks = 2e7, k_point_looks_a_facet = 2000.0;
 
 std::uint8_t side_of(double sine) {
   if (sine > k_edge_on) return facing::k_up;
@@ -138,10 +140,23 @@ void ProjectedPart::plan_work(const Progress& progress) {
   }
   const double cells = part_->effort() * (k_always_cells + k_cells_a_facet * static_cast<double>(facets));
   cells_a_work_ = cells / std::max(1.0, static_cast<double>(within));
-  const double samples = cells / static_cast<double>(std::max<std::size_t>(facets - kept, 1));
-  lattice_lines_ = static_cast<std::size_t>(
-      std::clamp(std::sqrt(samples), k_least_lattice, k_most_lattice * std::sqrt(part_->effort())));
   work_ = std::move(work);
+  std::uint64_t points_looks = 0;  // of a point a facet
+  for (FacetIndex facet = 0; facet < facets; ++facet) {
+    if (work_on(facet).sampled) points_looks += looks_at_middle(facet);
+  }
+  const double looks =
+      part_->effort() * (k_always_point_looks + k_point_looks_a_facet * static_cast<double>(facets));
+  const double samples = std::min(cells / static_cast<double>(std::max<std::size_t>(facets - kept, 1)),
+                                  looks / static_cast<double>(std::max<std::uint64_t>(points_looks, 1)));
+  lattice_lines_ = static_cast<std::size_t>(
+      std::clamp(std::sqrt(samples), 1.0, k_most_lattice * std::sqrt(part_->effort())));
+}
+
+std::size_t ProjectedPart::looks_at_middle(FacetIndex facet) const {
+  const auto& [a, b, c] = part_->mesh().facets[facet];
+  const glm::dvec2 middle((points_[a] + points_[b] + points_[c]) / 3.0);
+  return facet_grids_[0].items_at(middle).size() + facet_grids_[1].items_at(middle).size();
 }
 
 ProjectedPart::FacetWork ProjectedPart::work_on(FacetIndex facet) const {

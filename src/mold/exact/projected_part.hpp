@@ -72,7 +72,7 @@ class ProjectedPart {
     std::uint32_t most_cells = 0;  // beyond these it is not cut
   };
   [[nodiscard]] FacetWork work_on(FacetIndex facet) const;
-  /// Lines of a lattice, each way.
+  /// Parts of a side of a facet between the lines of its lattice; 1: one point stands for all of it.
   [[nodiscard]] std::size_t lattice_lines() const { return lattice_lines_; }
   /// Facets that face up, and down.
   [[nodiscard]] const std::array<ProjectionGrid, 2>& facet_grids() const { return facet_grids_; }
@@ -125,6 +125,7 @@ class ProjectedPart {
     std::array<FacetIndex, 2> hidden_by{};  // the facets that hid the edge before
   };
   void plan_work(const Progress& progress);
+  [[nodiscard]] std::size_t looks_at_middle(FacetIndex facet) const;
   [[nodiscard]] std::uint64_t work_budget() const;
   void find_visible(std::uint32_t edge, EdgeSearch& search, Visible& visible) const;
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include "compare/comparison.hpp"
 #include "compare/mold_change.hpp"
 #include "mesh/health.hpp"
 #include "unit/compare/revisions.hpp"
@@ -37,6 +38,27 @@ Steel steel_of(const TriangleMesh& a, const TriangleMesh& b) {
 }
 
 double exact(double value) { return 1e-9 * std::abs(value); }
+
+/// Where regions are sampled there is no line that steel could move at, and the comparison says so.
+TEST(SteelChange, IsNotAskedForWhereRegionsAreSampled) {
+  const auto model_of = [](double rib) {
+    Part part;
+    part.mesh = plate_mesh({.rib = rib});
+    part.bodies = {{"", 0, static_cast<FacetIndex>(part.mesh.facets.size())}};
+    part.effort = 1e-9;
+    return prepare_part(std::move(part), Progress());
+  };
+  const Comparison found = compare_revisions(
+      model_of(2.0), model_of(3.0),
+      {.choice = CompareDirection::given, .direction = {}, .method = {}, .settings = {}}, Progress());
+  ASSERT_GT(found.a.result.uncertainty.sampled_facets, 0U);
+  EXPECT_FALSE(found.mold);
+  EXPECT_EQ(std::ranges::count(
+                found.remarks,
+                "Whether A's mold survives is not known, since too many facets of a part cross others"),
+            1);
+  EXPECT_EQ(found.surface.places.size(), 1U);
+}
 
 TEST(SteelChange, CutsWhereARibGrows) {
   const TriangleMesh a = plate_mesh({.rib = 2.0}), b = plate_mesh({.rib = 3.0});

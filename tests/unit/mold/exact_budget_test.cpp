@@ -1,8 +1,13 @@
 // Shapes in which everything crosses everything: the work on them stays in proportion to their facets, and
 // the areas are those of exact regions within what is said of their error.
+#include <array>
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "mesh/weld.hpp"
+#include "mold/exact/projected_part.hpp"
 #include "support/boxes.hpp"
 #include "support/exact_model.hpp"
 #include "support/process.hpp"
@@ -55,6 +60,38 @@ TEST(WorkBudget, PiecesAreThoseOfTheAreas) {
   EXPECT_EQ(split.areas.sampling_error, areas.sampling_error);
   const FacetGeometry pieces = facet_geometry(piece_mesh(split.mesh));
   EXPECT_NEAR(pieces.total_area, model.geometry().total_area, 1e-9 * pieces.total_area);
+}
+
+/// Flat spikes round an axis, whose foots are all over one another there.
+TriangleMesh star_prism(VertexIndex corners) {
+  TriangleMesh mesh;
+  for (const double height : {0.0, 1.0}) {
+    for (VertexIndex k = 0; k < corners; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / corners, radius = k % 2 == 0 ? 0.001 : 1.0;
+      mesh.vertices.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
+    }
+  }
+  mesh.vertices.insert(mesh.vertices.end(), {{0, 0, 0}, {0, 0, 1}});
+  for (VertexIndex k = 0; k < corners; ++k) {
+    const VertexIndex next = (k + 1) % corners, up = corners + k, next_up = corners + next;
+    for (const auto& facet : {std::array{k, next, up}, std::array{next, next_up, up},
+                              std::array{2 * corners, next, k}, std::array{2 * corners + 1, up, next_up}})
+      mesh.facets.push_back(facet);
+  }
+  return mesh;
+}
+
+/// Where a point of each facet is as much as can be looked at, one stands for it, and the error says so.
+TEST(WorkBudget, CrowdedFacetsGetOnePointEach) {
+  const test::ExactModel model(star_prism(6000));
+  const ProjectedPart projected(model.part(), glm::normalize(k_along), Progress());
+  EXPECT_TRUE(projected.work_on(0).sampled);
+  EXPECT_LT(projected.lattice_lines(), 3U);
+  const ExactAreas areas = model.areas(glm::normalize(k_along), model.default_settings());
+  EXPECT_EQ(areas.sampled_facets, model.mesh().facets.size());
+  EXPECT_TRUE(areas.mostly_sampled());
+  EXPECT_NEAR(areas.areas.total(), model.geometry().total_area, 1e-9 * areas.areas.total());
+  EXPECT_GT(areas.sampling_error, 0.0);
 }
 
 /// Bodies that coincide are looked at once: pair by pair they would be past any budget.

@@ -145,6 +145,13 @@ TEST(VerdictOf, SampledFacetsAreStatedWithTheirErrorInVerdictAndJson) {
   }));
   const nlohmann::ordered_json json = classify_json(study, Progress());
   EXPECT_EQ(json["sampled_facets"], regions.uncertainty.sampled_facets);
+  try {
+    static_cast<void>(study.find<MoldLine>(Progress()));
+    ADD_FAILURE() << "a parting line of samples";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string_view(error.what()).find("or raise --effort"), std::string_view::npos)
+        << error.what();
+  }
   EXPECT_GT(json["uncertainty_parts"]["readout"].get<double>(), 0.0);
 }
 
