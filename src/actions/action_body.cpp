@@ -42,7 +42,8 @@ class BodyShaper::Maker {
  public:
   Maker(const PartModel& model, const SplitMesh& split, const ExactQuery& query, const ActionPlan& plan,
         std::size_t number)
-      : model_(model), vertices_(split.vertices), action_(plan.actions[number]), release_(model, query) {
+      : model_(model), action_(plan.actions[number]), release_(model, query) {
+    std::map<VertexIndex, VertexIndex> own;
     std::set<FacetIndex> formed;
     for (const std::size_t undercut : action_.undercuts) {
       const UndercutReport& noted = plan.undercuts[undercut];
@@ -55,7 +56,13 @@ class BodyShaper::Maker {
       if (its != k_no_action_of_piece ? its != static_cast<std::int32_t>(number)
                                       : !formed.contains(split.pieces[piece].facet))
         continue;
-      triangles_.push_back(split.pieces[piece].corners);
+      Corners& corners = triangles_.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexIndex vertex = split.pieces[piece].corners[k];
+        const auto [at, added] = own.try_emplace(vertex, static_cast<VertexIndex>(vertices_.size()));
+        if (added) vertices_.push_back(split.vertices[vertex]);
+        corners[k] = at->second;
+      }
     }
     if (!action_.about) leave_out_blocked();
     whole_ = total_area();
@@ -113,7 +120,8 @@ class BodyShaper::Maker {
     thickness *= k_thickness * diagonal;
     double length = thickness;
     if (leaves) {
-      length = (release_.reach(action_.direction) + k_beyond) * diagonal - least_reach(surface.mesh.vertices);
+      if (!reach_) reach_ = release_.reach(action_.direction);
+      length = (*reach_ + k_beyond) * diagonal - least_reach(surface.mesh.vertices);
     } else if (std::isfinite(action_.clear_to)) {
       // A lifter's head is above its stem.
       for (const Stem& stem : action_.stems) length = std::max(length, thin * stem.behind);
@@ -388,13 +396,14 @@ class BodyShaper::Maker {
   }
 
   const PartModel& model_;
-  std::vector<glm::dvec3> vertices_;  // of the split mesh, and such as divide its pieces
+  std::vector<glm::dvec3> vertices_;  // of its pieces of the split mesh, and such as divide them
   SideAction action_;
   Release release_;
   std::vector<std::array<VertexIndex, 3>> triangles_;  // with caps
   double whole_ = 0.0, lost_ = 0.0;                    // area at first, and what of it was left out since
   bool thins_ = false;                                 // what was made last
   std::vector<glm::dvec3> hits_;                       // for which it was
+  std::optional<double> reach_;                        // of the part along its way, once that was asked for
 };
 
 BodyShaper::BodyShaper(const PartModel& model, const SplitMesh& split, const ExactQuery& query,

@@ -9,6 +9,7 @@
 #include <deque>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -19,6 +20,7 @@
 
 #include "actions/action_body.hpp"
 #include "mesh/facet_geometry.hpp"
+#include "mesh/orient.hpp"
 
 namespace moldlight {
 
@@ -373,6 +375,18 @@ SurfacePoints lattice_points(const TriangleMesh& mesh, const glm::dvec3& way, co
   return points;
 }
 
+/// What rays, box and volume of a body take, and no more of what is known of parts.
+std::shared_ptr<const PartModel> solid_model(TriangleMesh mesh) {
+  auto model = std::make_shared<PartModel>();
+  turn_if_inside_out(mesh);
+  model->part.mesh = std::move(mesh);
+  model->geometry = facet_geometry(model->part.mesh);
+  model->health.volume = signed_volume(model->part.mesh);
+  model->health.bounds = bounds(model->part.mesh);
+  model->frame = unit_frame(model->health.bounds);
+  return model;
+}
+
 void append(const TriangleMesh& solid, TriangleMesh& mesh) {
   const auto first = static_cast<VertexIndex>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), solid.vertices.begin(), solid.vertices.end());
@@ -380,7 +394,8 @@ void append(const TriangleMesh& solid, TriangleMesh& mesh) {
 }
 
 /// Of what an action forms, and how it moves.
-std::vector<double> key_of(const ActionPlan& plan, std::size_t number) {
+std::vector<double> key_of(const ActionPlan& plan, std::size_t number,
+                           std::span<const std::uint32_t> pieces) {
   const SideAction& action = plan.actions[number];
   std::vector<double> key = {static_cast<double>(action.kind),
                              action.core_side ? 1.0 : 0.0,
@@ -390,9 +405,7 @@ std::vector<double> key_of(const ActionPlan& plan, std::size_t number) {
                              action.travel,
                              action.clear_to};
   const std::size_t motion = key.size();
-  for (std::size_t piece = 0; piece < plan.action_of_piece.size(); ++piece)
-    if (plan.action_of_piece[piece] == static_cast<std::int32_t>(number))
-      key.push_back(static_cast<double>(piece));
+  for (const std::uint32_t piece : pieces) key.push_back(piece);
   if (key.size() == motion) key.push_back(-1.0 - static_cast<double>(number));
   for (const std::size_t undercut : action.undercuts) {
     if (action_of(plan, undercut) != &action) continue;
@@ -430,9 +443,7 @@ struct BodyPlayer::Shape {
     }
     done = done || (!solids.empty() && signed_volume(*mesh) == signed_volume(solids.back().model->part.mesh));
     if (done && shaper->thins() && solids.size() + 1 < k_most) return nullptr;
-    Part part;
-    part.mesh = std::move(*mesh);
-    PlayedBody& solid = solids.emplace_back(PlayedBody{prepare_part(std::move(part), Progress())});
+    PlayedBody& solid = solids.emplace_back(PlayedBody{solid_model(std::move(*mesh))});
     solid.few = all.few.size();
     solid.points = std::move(all.few);
     solid.points.insert(solid.points.end(), all.others.begin(), all.others.end());
@@ -461,7 +472,11 @@ void BodyPlayer::measure(ActionPlan& plan, bool fine) {
   progress_.report("making the bodies of the actions", 0.95);
   const Player player(model_, query_, plan, play_.steps, fine, progress_);
   std::vector<Shape*> shapes;
-  for (std::size_t k = 0; k < plan.actions.size(); ++k) shapes.push_back(&known_[key_of(plan, k)]);
+  std::vector<std::vector<std::uint32_t>> pieces(plan.actions.size());
+  for (std::uint32_t piece = 0; piece < plan.action_of_piece.size(); ++piece)
+    if (const std::int32_t its = plan.action_of_piece[piece]; its >= 0)
+      pieces[static_cast<std::size_t>(its)].push_back(piece);
+  for (std::size_t k = 0; k < plan.actions.size(); ++k) shapes.push_back(&known_[key_of(plan, k, pieces[k])]);
   const auto thinned = [&](std::size_t k, std::size_t times) {
     if (progress_.cancelled()) throw Cancelled();
     return shapes[k]->thinned(times, plan.actions[k], query_.direction, play_.points);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <span>
@@ -10,6 +11,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "mesh/triangle_mesh.hpp"
 
@@ -17,17 +19,9 @@ namespace moldlight {
 
 namespace {
 
-/// Along the extent; a cell is never smaller than what polygons reach.
-constexpr double k_cells = 128.0;
-constexpr double k_places_a_polygon = 256.0, k_always_places = 4e6;
-constexpr std::size_t k_steps_between = 64;  // two looks at whether to go on
-
-struct InCell {
-  std::uint64_t cell;
-  std::uint32_t polygon;
-
-  auto operator<=>(const InCell&) const = default;
-};
+constexpr std::size_t k_few_boxes = 64;          // boxes that are asked pair by pair
+constexpr double k_most_growth = 1.4;            // of their number, where a plane divides them
+constexpr std::size_t k_pairs_between = 10'000;  // two looks at whether to go on
 
 bool overlap(const Bounds& a, const Bounds& b) {
   for (int axis = 0; axis < 3; ++axis)
@@ -35,37 +29,85 @@ bool overlap(const Bounds& a, const Bounds& b) {
   return true;
 }
 
-/// 21 bits an axis; what lies farther out shares cells, which costs time alone.
-std::uint64_t cell_number(const glm::i64vec3& cell) {
-  constexpr std::uint64_t k_mask = (1ULL << 21) - 1;
-  return (static_cast<std::uint64_t>(cell.x) & k_mask) << 42 |
-         (static_cast<std::uint64_t>(cell.y) & k_mask) << 21 | (static_cast<std::uint64_t>(cell.z) & k_mask);
-}
-
-/// At least so large, and so that the boxes are in some tens of cells each: one polygon may be as long as the
-/// part, or longer where the two parts are of very different size.
-double cell_size(const std::vector<Bounds>& boxes, double least) {
-  const double most = k_places_a_polygon * static_cast<double>(boxes.size()) + k_always_places;
-  for (double size = std::max(least, 1e-300);; size *= 2.0) {
-    double places = 0.0;
-    for (const Bounds& box : boxes) {
-      if (box.min.x > box.max.x) continue;
-      const glm::dvec3 cells = (box.max - box.min) / size + 1.0;
-      places += cells.x * cells.y * cells.z;
-    }
-    if (!(places > most)) return size;
+/// Pairs of boxes that overlap: boxes are divided by planes, those that reach over a plane on both of its
+/// sides, until few are left, or as many as before.
+class OverlappingPairs {
+ public:
+  /// Calls visit(a, b), once a pair; `kinds`, where there are any: of pairs of one kind none
+  /// matters.
+  OverlappingPairs(std::span<const Bounds> boxes, std::span<const char> kinds,
+                   const std::function<void(std::uint32_t, std::uint32_t)>& visit, const Progress& progress)
+      : boxes_(boxes), kinds_(kinds), visit_(visit), progress_(progress) {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t k = 0; k < boxes.size(); ++k)
+      if (boxes[k].min.x <= boxes[k].max.x) all.push_back(k);
+    divide(std::move(all), {});
   }
-}
+
+ private:
+  /// Where what two boxes share begins, for pairs that are asked here.
+  struct Begin {
+    glm::dvec3 from{-std::numeric_limits<double>::infinity()}, below{std::numeric_limits<double>::infinity()};
+  };
+
+  void divide(std::vector<std::uint32_t> some, const Begin& begin) {
+    const auto is_first_kind = [&](std::uint32_t k) { return kinds_[k] == kinds_[some.front()]; };
+    if (some.empty() || (!kinds_.empty() && std::ranges::all_of(some, is_first_kind))) return;
+    for (const int axis : {0, 1, 2}) {
+      if (some.size() <= k_few_boxes) break;
+      const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+      const auto centre = [&](std::uint32_t k) { return boxes_[k].min[axis] + boxes_[k].max[axis]; };
+      std::ranges::nth_element(some, middle, {}, centre);
+      const double at = 0.5 * centre(*middle);
+      std::vector<std::uint32_t> below, above;
+      for (const std::uint32_t k : some) {
+        if (boxes_[k].min[axis] < at) below.push_back(k);
+        if (boxes_[k].max[axis] >= at) above.push_back(k);
+      }
+      if (static_cast<double>(below.size() + above.size()) >
+              k_most_growth * static_cast<double>(some.size()) ||
+          std::max(below.size(), above.size()) == some.size())
+        continue;
+      some = {};
+      Begin low = begin, high = begin;
+      low.below[axis] = high.from[axis] = at;
+      divide(std::move(below), low);
+      divide(std::move(above), high);
+      return;
+    }
+    ask(some, begin);
+  }
+
+  void ask(std::vector<std::uint32_t>& some, const Begin& begin) {
+    std::ranges::sort(some, {}, [&](std::uint32_t k) { return std::pair(boxes_[k].min.x, k); });
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const std::uint32_t a = some[i];
+      for (std::size_t k = i + 1; k < some.size() && boxes_[some[k]].min.x <= boxes_[a].max.x; ++k) {
+        const std::uint32_t b = some[k];
+        if (++asked_ % k_pairs_between == 0 && progress_.cancelled()) throw Cancelled();
+        if ((!kinds_.empty() && kinds_[a] == kinds_[b]) || !overlap(boxes_[a], boxes_[b])) continue;
+        const glm::dvec3 at = glm::max(boxes_[a].min, boxes_[b].min);
+        if (glm::all(glm::lessThanEqual(begin.from, at)) && glm::all(glm::lessThan(at, begin.below)))
+          visit_(a, b);
+      }
+    }
+  }
+
+  std::span<const Bounds> boxes_;
+  std::span<const char> kinds_;
+  const std::function<void(std::uint32_t, std::uint32_t)>& visit_;
+  const Progress& progress_;
+  std::size_t asked_ = 0;
+};
 
 /// Calls `touch` for pairs whose rims come as near to each other as `reach` says, which is asked first and is
 /// negative for pairs that do not matter, and at most the sum of theirs; in an order that depends on the
-/// polygons alone, a pair perhaps several times. `extent` is about that of all of them. Throws Cancelled.
-void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
+/// polygons alone. `kinds` as of OverlappingPairs. Throws Cancelled.
+void visit_touching(const std::vector<ReachingPolygon>& polygons, std::span<const char> kinds,
                     const std::function<double(std::uint32_t, std::uint32_t)>& reach,
                     const std::function<void(std::uint32_t, std::uint32_t)>& touch,
                     const Progress& progress) {
-  double greatest = 0.0;
-  for (const ReachingPolygon& one : polygons) greatest = std::max(greatest, one.reach);
+  progress.report("finding what changed", 0.0);
   std::vector<Bounds> boxes(polygons.size());
   for (std::uint32_t k = 0; k < polygons.size(); ++k) {
     if (polygons[k].polygon->empty()) continue;
@@ -73,35 +115,13 @@ void visit_touching(const std::vector<ReachingPolygon>& polygons, double extent,
     boxes[k].min -= polygons[k].reach;
     boxes[k].max += polygons[k].reach;
   }
-  const double size = cell_size(boxes, std::max(extent / k_cells, 4.0 * greatest));
-  std::vector<InCell> places;
-  const auto cell_at = [size](double at) { return static_cast<std::int64_t>(std::floor(at / size)); };
-  for (std::uint32_t k = 0; k < polygons.size(); ++k) {
-    if (polygons[k].polygon->empty()) continue;
-    const glm::dvec3 &low = boxes[k].min, &high = boxes[k].max;
-    for (std::int64_t x = cell_at(low.x); x <= cell_at(high.x); ++x)
-      for (std::int64_t y = cell_at(low.y); y <= cell_at(high.y); ++y)
-        for (std::int64_t z = cell_at(low.z); z <= cell_at(high.z); ++z)
-          places.push_back({cell_number({x, y, z}), k});
-  }
-  std::ranges::sort(places);
-  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
-    while (last < places.size() && places[last].cell == places[first].cell) ++last;
-    const std::span here(places.data() + first, last - first);
-    std::ranges::stable_sort(here, {}, [&](const InCell& one) { return boxes[one.polygon].min.x; });
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      if (i % k_steps_between == 0)
-        progress.report("finding what changed",
-                        static_cast<double>(first) / static_cast<double>(places.size()));
-      for (std::size_t k = i + 1; k < here.size(); ++k) {
-        const std::uint32_t a = here[i].polygon, b = here[k].polygon;
-        if (boxes[b].min.x > boxes[a].max.x) break;
-        if (!overlap(boxes[a], boxes[b])) continue;
+  OverlappingPairs(
+      boxes, kinds,
+      [&](std::uint32_t a, std::uint32_t b) {
         const double within = reach(a, b);
         if (within >= 0.0 && rims_touch(*polygons[a].polygon, *polygons[b].polygon, within)) touch(a, b);
-      }
-    }
-  }
+      },
+      progress);
 }
 
 /// Share of a face's area above which all of its changes are one.
@@ -158,11 +178,10 @@ std::uint32_t nearest_place(const std::vector<Bounds>& boxes, std::uint32_t plac
 
 }  // namespace
 
-UnionFind joined_where_touching(const std::vector<ReachingPolygon>& polygons, double extent,
-                                const Progress& progress) {
+UnionFind joined_where_touching(const std::vector<ReachingPolygon>& polygons, const Progress& progress) {
   UnionFind joined(polygons.size());
   visit_touching(
-      polygons, extent,
+      polygons, {},
       [&](std::uint32_t a, std::uint32_t b) {
         return joined.find(a) == joined.find(b) ? -1.0 : polygons[a].reach + polygons[b].reach;
       },
@@ -178,7 +197,7 @@ LeftOvers::LeftOvers(const OverlaySide& a, const OverlaySide& b, const OverlayTo
 }
 
 UnionFind LeftOvers::joined(const Progress& progress) const {
-  UnionFind sets = joined_where_touching(polygons(), extent(), progress);
+  UnionFind sets = joined_where_touching(polygons(), progress);
   join_faces(a_, 0, split_, sets);
   join_faces(b_, split_, count(), sets);
   return sets;
@@ -186,19 +205,24 @@ UnionFind LeftOvers::joined(const Progress& progress) const {
 
 void LeftOvers::add_explained(std::vector<std::uint32_t>& place_of, const Progress& progress) const {
   if (std::ranges::all_of(place_of, [](std::uint32_t place) { return place == k_no_change; })) return;
+  // What has a place beside what is explained and has none; what is certain and has none gets none.
+  static const ConvexPolygon k_none;
   std::vector<ReachingPolygon> rims;
-  for (const LeftOver* one : all_) rims.push_back({&one->polygon, tolerance_.rounding});
-  const std::vector<std::uint32_t> certain = place_of;
+  std::vector<char> has_place;
+  for (std::size_t k = 0; k < count(); ++k) {
+    has_place.push_back(place_of[k] != k_no_change ? 1 : 0);
+    const bool asked = has_place[k] != 0 || !is_certain(k);
+    rims.push_back({asked ? &all_[k]->polygon : &k_none, tolerance_.rounding});
+  }
+  const std::vector<std::uint32_t> known = place_of;
   visit_touching(
-      rims, extent(),
+      rims, has_place,
       [&](std::uint32_t a, std::uint32_t b) {
-        const bool one_has = (certain[a] == k_no_change) != (certain[b] == k_no_change);
-        const std::uint32_t open = certain[a] == k_no_change ? a : b;
-        return one_has && !is_certain(open) && is_of_a(a) == is_of_a(b) ? 2.0 * tolerance_.rounding : -1.0;
+        return is_of_a(a) == is_of_a(b) ? 2.0 * tolerance_.rounding : -1.0;
       },
       [&](std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t open = certain[a] == k_no_change ? a : b;
-        place_of[open] = std::min(place_of[open], certain[open == a ? b : a]);
+        if (has_place[a] != 0) std::swap(a, b);
+        place_of[a] = std::min(place_of[a], known[b]);
       },
       progress);
 }
@@ -208,8 +232,6 @@ bool LeftOvers::is_rim(std::size_t k) const {
   const ConvexPolygon& polygon = all_[k]->polygon;
   return 2.0 * all_[k]->area <= k_widths * all_[k]->explained * reach_from(polygon.front(), polygon);
 }
-
-double LeftOvers::extent() const { return std::max(a_.model().frame.diagonal, b_.model().frame.diagonal); }
 
 /// None for what is explained.
 std::vector<ReachingPolygon> LeftOvers::polygons() const {

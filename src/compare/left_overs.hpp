@@ -20,7 +20,7 @@ struct ReachingPolygon {
 };
 
 /// Joins all that touch each other.
-[[nodiscard]] UnionFind joined_where_touching(const std::vector<ReachingPolygon>& polygons, double extent,
+[[nodiscard]] UnionFind joined_where_touching(const std::vector<ReachingPolygon>& polygons,
                                               const Progress& progress);
 
 inline constexpr std::uint32_t k_no_change = ~0U;
@@ -49,7 +49,6 @@ class LeftOvers {
   [[nodiscard]] bool is_rim(std::size_t k) const;
 
  private:
-  [[nodiscard]] double extent() const;
   [[nodiscard]] std::vector<ReachingPolygon> polygons() const;
   void join_faces(const OverlaySide& side, std::size_t first, std::size_t last, UnionFind& sets) const;
 

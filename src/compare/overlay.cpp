@@ -1,6 +1,8 @@
 #include "compare/overlay.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <iterator>
 #include <mutex>
 #include <utility>
@@ -9,6 +11,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "base/error.hpp"
 #include "classify/map_comparison.hpp"
 #include "mesh/unit_frame.hpp"
 
@@ -54,14 +57,34 @@ std::array<ConvexPolygon, 2> halved(const ConvexPolygon& polygon) {
   return halves;
 }
 
+/// Pieces that may be looked at for one another. Whether that is too much is known by how much there is in
+/// all, so that no thread's haste shows.
+class LayingWork {
+ public:
+  explicit LayingWork(std::uint64_t most) : most_(most) {}
+  void add(std::uint64_t looks) {
+    if ((done_ += looks) > most_)
+      throw Error(
+          "too much surface lies at each place to compare the parts; unite the bodies of each (--repair "
+          "union), "
+          "take one of them (--body), or raise --effort");
+  }
+  [[nodiscard]] std::uint64_t done() const { return done_; }
+
+ private:
+  std::uint64_t most_;
+  std::atomic<std::uint64_t> done_ = 0;
+};
+
 /// One piece at a time.
 class Laying {
  public:
   Laying(const OverlaySide& side, const OverlaySide& onto, const OverlayTolerance& tolerance,
-         const Progress& progress)
+         LayingWork& work, const Progress& progress)
       : side_(side),
         onto_(onto),
         tolerance_(tolerance),
+        work_(work),
         progress_(progress),
         rounding_(k_cut_rounding * std::max(side.model().frame.diagonal, onto.model().frame.diagonal)) {}
 
@@ -157,7 +180,9 @@ class Laying {
     };
     const std::vector<Rim> rims = rims_of(polygon, centre, normal);
     near_.clear();
+    std::uint64_t looks = 1;
     visit_around(polygon, reach, k_most_search_halvings, [&](PieceIndex other) {
+      ++looks;
       if (glm::dot(normal, onto_.normal(other)) < k_least_facing || onto_.area(other) <= 0.0) return;
       const glm::dvec3 way = onto_.centre(other) - centre;
       double off = std::max(std::abs(glm::dot(normal, way)) - rounding_, glm::length(way) - radius);
@@ -165,6 +190,7 @@ class Laying {
       // What tessellations may be off is asked for only where it matters.
       if (off <= onto_.radius(other) || off <= reach_of(other)) near_.push_back(other);
     });
+    work_.add(looks + near_.size());
     std::ranges::sort(near_);
     near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
     const Halvings next = halvings.next(near_.size());
@@ -199,6 +225,7 @@ class Laying {
       return;
     }
     if (progress_.cancelled()) throw Cancelled();
+    work_.add(2 * over.size());
     for (const ConvexPolygon& half : halved(polygon)) {
       std::vector<const Over*> over_half;
       if (std::ranges::all_of(
@@ -227,6 +254,7 @@ class Laying {
     for (const Over* one : over) {
       // On dense curved surface hulls cut a piece into very many.
       if (progress_.cancelled()) throw Cancelled();
+      work_.add(rest.size());
       next.clear();
       for (ConvexPolygon& part : rest) {
         if (side_of(part, one->hull, rounding_) == HullSide::outside) {
@@ -256,6 +284,7 @@ class Laying {
   const OverlaySide& side_;
   const OverlaySide& onto_;
   OverlayTolerance tolerance_;
+  LayingWork& work_;
   const Progress& progress_;
   double rounding_;
   PieceIndex piece_ = 0;
@@ -303,11 +332,16 @@ Overlay lay_on(const OverlaySide& side, const OverlaySide& onto, const OverlayTo
   const std::size_t count = side.count(), blocks = (count + k_block - 1) / k_block;
   std::mutex mutex;
   std::size_t done = 0;
+  constexpr double k_always_looks = 2e7, k_looks_a_facet = 3000.0;  // real parts take up to 1000
+  const double effort = std::max({1.0, side.model().part.effort, onto.model().part.effort});
+  const std::size_t facets = side.model().part.mesh.facets.size() + onto.model().part.mesh.facets.size();
+  LayingWork work(
+      static_cast<std::uint64_t>(effort * (k_always_looks + k_looks_a_facet * static_cast<double>(facets))));
   std::vector<PieceOverlay> results(blocks);
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, blocks, 1), [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t block = range.begin(); block < range.end(); ++block) {
-          Laying laying(side, onto, tolerance, progress);
+          Laying laying(side, onto, tolerance, work, progress);
           for (std::size_t k = block * k_block; k < std::min(count, (block + 1) * k_block); ++k) {
             const auto piece = static_cast<PieceIndex>(k);
             if (progress.cancelled()) throw Cancelled();

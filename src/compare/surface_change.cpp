@@ -181,13 +181,12 @@ class RegionChanges {
 };
 
 /// Adds the changes from one region to another.
-void add_regions(const OverlaySide& a, const RegionChanges& changes,
-                 const std::vector<std::uint32_t>& numbers, double speck, SurfaceChange& change,
-                 const Progress& progress) {
+void add_regions(const RegionChanges& changes, const std::vector<std::uint32_t>& numbers, double speck,
+                 SurfaceChange& change, const Progress& progress) {
   const std::vector<OtherRegion>& found = change.of_a.regions;
   std::vector<ReachingPolygon> polygons;
   for (const std::uint32_t k : numbers) polygons.push_back({&found[k].polygon, 0.5 * change.tolerance.apart});
-  UnionFind joined = joined_where_touching(polygons, a.model().frame.diagonal, progress);
+  UnionFind joined = joined_where_touching(polygons, progress);
   std::map<std::uint32_t, double> certain;
   for (std::uint32_t k = 0; k < numbers.size(); ++k)
     if (changes.is_certain(found[numbers[k]])) certain[joined.find(k)] += found[numbers[k]].area;
@@ -223,8 +222,7 @@ void find_regions(const OverlaySide& a, const OverlaySide& b, double speck, Surf
     numbers[from][static_cast<std::size_t>(b.region(found[k].other))].push_back(k);
   }
   for (const auto& from : numbers)
-    for (const std::vector<std::uint32_t>& some : from)
-      add_regions(a, changes, some, speck, change, progress);
+    for (const std::vector<std::uint32_t>& some : from) add_regions(changes, some, speck, change, progress);
   const auto order = largest_first(change.regions, [](const ChangedRegion& r) { return r.area; });
   reorder(change.regions, order);
   renumber(change.change_of_region, ranks(order));

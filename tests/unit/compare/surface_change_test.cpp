@@ -2,10 +2,30 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include "support/random.hpp"
 #include "unit/compare/revisions.hpp"
 
 namespace moldlight {
 namespace {
+
+/// Facets as large as the part, of which each is near to all.
+TEST(SurfaceChange, TooMuchInOnePlaceIsRefused) {
+  test::Random random(11);
+  TriangleMesh soup;
+  for (VertexIndex k = 0; k < 3 * 1500; ++k) {
+    soup.vertices.push_back(random.in_cube(1.0));
+    if (k % 3 == 2) soup.facets.push_back({k - 2, k - 1, k});
+  }
+  TriangleMesh other = soup;
+  for (glm::dvec3& vertex : other.vertices) vertex.z *= 1.01;
+  try {
+    static_cast<void>(laid(soup, other));
+    ADD_FAILURE() << "laid";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string_view(error.what()).find("or raise --effort"), std::string_view::npos)
+        << error.what();
+  }
+}
 
 TEST(SurfaceChange, OfTheSamePartIsNone) {
   const TriangleMesh mesh = plate_mesh({.hole_radius = 3.0});
