@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -97,28 +98,37 @@ SheetVertex Sheets::add_vertex(PlanePoint column, double z) {
 
 std::vector<SheetEdge> Sheets::ends(unsigned sheets, unsigned turned) const {
   struct Use {
-    std::uint64_t key;
+    SheetVertex high;
     int count;
   };
-  std::vector<Use> uses;
-  uses.reserve(3 * facets.size());
-  for (const SheetFacet& facet : facets) {
-    if ((bit(facet.sheet) & sheets) == 0) continue;
-    const int sign = (bit(facet.sheet) & turned) != 0 ? -1 : 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const SheetVertex from = facet.corners[k], to = facet.corners[(k + 1) % 3];
-      uses.push_back({edge_key(from, to), from < to ? sign : -sign});
+  const auto for_each_use = [&](const auto& visit) {
+    for (const SheetFacet& facet : facets) {
+      if ((bit(facet.sheet) & sheets) == 0) continue;
+      const int sign = (bit(facet.sheet) & turned) != 0 ? -1 : 1;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const SheetVertex from = facet.corners[k], to = facet.corners[(k + 1) % 3];
+        visit(std::min(from, to), Use{std::max(from, to), from < to ? sign : -sign});
+      }
     }
-  }
-  std::ranges::sort(uses, {}, &Use::key);
+  };
+  // By the lower vertex; counted two places on, so that while uses are put in, first[low + 1] is where the
+  // next goes.
+  std::vector<std::uint32_t> first(vertices.size() + 2, 0);
+  for_each_use([&](SheetVertex low, const Use&) { ++first[low + 2]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Use> uses(first.back());
+  for_each_use([&](SheetVertex low, const Use& use) { uses[first[low + 1]++] = use; });
   std::vector<SheetEdge> found;
-  for (std::size_t k = 0; k < uses.size();) {
-    const std::uint64_t key = uses[k].key;
-    int count = 0;
-    for (; k < uses.size() && uses[k].key == key; ++k) count += uses[k].count;
-    const auto low = static_cast<SheetVertex>(key >> 32U), high = static_cast<SheetVertex>(key);
-    if (count > 0) found.push_back({low, high, count});
-    if (count < 0) found.push_back({high, low, -count});
+  for (SheetVertex low = 0; low < vertices.size(); ++low) {
+    const std::span here(uses.data() + first[low], first[low + 1] - first[low]);
+    std::ranges::sort(here, {}, &Use::high);
+    for (std::size_t k = 0; k < here.size();) {
+      const SheetVertex high = here[k].high;
+      int count = 0;
+      for (; k < here.size() && here[k].high == high; ++k) count += here[k].count;
+      if (count > 0) found.push_back({low, high, count});
+      if (count < 0) found.push_back({high, low, -count});
+    }
   }
   return found;
 }
