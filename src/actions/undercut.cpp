@@ -300,7 +300,9 @@ Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const E
     }
   }
   const double lateral = query.lateral * model.frame.diagonal;
+  progress.report("joining undercuts", 0.2);
   join_near(model, split, pieces, 2.0 * lateral, joined, progress);
+  progress.report("joining undercuts", 0.5);
 
   std::vector<std::uint32_t> number(pieces.size(), k_none);  // of the undercut, at its root
   std::vector<Undercut> all;
@@ -315,6 +317,7 @@ Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const E
   Undercuts found{.counted = {}, .specks = {}, .axes = part_axes(model, query.direction)};
   double total = 0.0;
   for (Undercut& undercut : all) {
+    if (progress.cancelled()) throw Cancelled();
     put_in_order(model.part.mesh, split, found.axes, undercut.pieces);
     measure_area(split, undercut);
     total += undercut.area;
@@ -324,6 +327,7 @@ Undercuts join_undercuts(const PartModel& model, const SplitMesh& split, const E
                       .area = std::max(std::numbers::pi * width * width, k_least_share * total),
                       .depth = depth};
   std::vector<std::optional<SpeckReason>> specks(all.size());
+  progress.report("joining undercuts", 0.7);
   const Release release(model, query, &progress);
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t k) {
     constexpr std::size_t k_asked = 48;

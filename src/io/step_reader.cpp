@@ -90,7 +90,7 @@ Part read_iges(const ReadContext& context) {
                  "the IGES file ends without its last record, 'T'; export the part again as IGES text");
   }
   Part part = read_by_opencascade(context, "IGES");
-  weld_near_vertices(part.mesh, k_sewn_digits * bounds(part.mesh).diagonal());
+  weld_near_vertices(part.mesh, k_sewn_digits * bounds(part.mesh).diagonal(), context.progress);
   return part;
 }
 

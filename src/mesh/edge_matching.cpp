@@ -186,13 +186,16 @@ class EdgeMatching {
 
 }  // namespace
 
-std::size_t weld_near_vertices(TriangleMesh& mesh, double tolerance) {
+std::size_t weld_near_vertices(TriangleMesh& mesh, double tolerance, const Progress& progress) {
+  constexpr VertexIndex k_between = 4096;  // two looks at whether to go on
   if (!(tolerance > 0.0)) return 0;
   const std::vector<bool> is_open = vertices_of_open_edges(mesh);
   std::vector<VertexIndex> new_vertex(mesh.vertices.size());
   Anchors anchors(mesh, tolerance);
   std::size_t welded = 0;
   for (VertexIndex vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
+    if (vertex % k_between == 0)
+      progress.report("repairing", static_cast<double>(vertex) / static_cast<double>(mesh.vertices.size()));
     new_vertex[vertex] = is_open[vertex] ? anchors.find_or_add(vertex) : vertex;
     if (new_vertex[vertex] != vertex) ++welded;
   }

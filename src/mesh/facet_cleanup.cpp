@@ -257,7 +257,8 @@ std::size_t make_winding_consistent(TriangleMesh& mesh) {
   return count;
 }
 
-FilledHoles fill_holes(MeshInRepair& state, double largest_area, std::size_t most_edges) {
+FilledHoles fill_holes(MeshInRepair& state, double largest_area, std::size_t most_edges,
+                       const Progress& progress) {
   TriangleMesh& mesh = state.mesh;
   FilledHoles filled;
   PolygonTriangulator triangulator(k_cutting_work);
@@ -265,6 +266,7 @@ FilledHoles fill_holes(MeshInRepair& state, double largest_area, std::size_t mos
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (const std::vector<RimEdge>& ring : rings_of(rim_edges(mesh), mesh.vertices.size())) {
     if (ring.size() < 3 || ring.size() > most_edges) continue;
+    if (progress.cancelled()) throw Cancelled();
     points.clear();
     for (const RimEdge& edge : ring) points.push_back(mesh.vertices[edge.from]);
     if (triangulator.triangulate(points, triangles) == PolygonCut::fan_of_odd) continue;

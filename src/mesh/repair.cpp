@@ -87,7 +87,7 @@ std::vector<std::string> RepairReport::sentences(const std::string& unit) const 
   return sentences;
 }
 
-RepairReport repair_part(Part& part, const RepairOptions& options) {
+RepairReport repair_part(Part& part, const RepairOptions& options, const Progress& progress) {
   RepairReport report;
   if (options.level == RepairLevel::none) return report;
   const double diagonal = bounds(part.mesh).diagonal();
@@ -95,7 +95,7 @@ RepairReport repair_part(Part& part, const RepairOptions& options) {
   report.weld_tolerance = options.weld_tolerance > 0.0 ? options.weld_tolerance : k_weld_share * diagonal;
   MeshInRepair state = start_repair(part);
   report.open_edges_before = count_open_edges(state.mesh);
-  report.welded_vertices = weld_near_vertices(state.mesh, report.weld_tolerance);
+  report.welded_vertices = weld_near_vertices(state.mesh, report.weld_tolerance, progress);
   if (options.level >= RepairLevel::full) {
     report.collapsed_facets = drop_collapsed_facets(state);
     report.flattened_facets = flatten_facets_without_area(state);
@@ -103,7 +103,7 @@ RepairReport repair_part(Part& part, const RepairOptions& options) {
     if (options.level == RepairLevel::full) report.duplicate_facets = drop_duplicate_facets(state);
     report.turned_facets = make_winding_consistent(state.mesh);
     const double hole_side = options.largest_hole * diagonal;
-    const FilledHoles filled = fill_holes(state, hole_side * hole_side, options.hole_edges);
+    const FilledHoles filled = fill_holes(state, hole_side * hole_side, options.hole_edges, progress);
     if (filled.holes > 0) report.flattened_facets += flatten_facets_without_area(state);
     report.filled_holes = filled.holes;
     report.added_facets = filled.facets;
@@ -118,10 +118,10 @@ RepairReport repair_part(Part& part, const RepairOptions& options) {
   return report;
 }
 
-std::size_t close_cuts(Part& part) {
+std::size_t close_cuts(Part& part, const Progress& progress) {
   const double tolerance = k_cut_share * bounds(part.mesh).diagonal();
   MeshInRepair state = start_repair(part);
-  weld_near_vertices(state.mesh, tolerance);
+  weld_near_vertices(state.mesh, tolerance, progress);
   drop_collapsed_facets(state);
   match_open_edges(state, tolerance);
   drop_duplicate_facets(state);

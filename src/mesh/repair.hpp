@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "mesh/part.hpp"
 
 namespace moldlight {
@@ -44,12 +45,12 @@ struct RepairReport {
 
 /// Mends the part's mesh and keeps its bodies, facet sources and file facets in step; the sentences go to
 /// part.repairs. Facets that fill holes are the last of their body and have k_no_facet as file facet and
-/// source.
-RepairReport repair_part(Part& part, const RepairOptions& options);
+/// source. Throws Cancelled, as those below do that have a progress.
+RepairReport repair_part(Part& part, const RepairOptions& options, const Progress& progress = Progress());
 
 /// Joins the facets of a part that was cut where its facets cross, along the cuts; returns how many edges are
 /// open.
-std::size_t close_cuts(Part& part);
+std::size_t close_cuts(Part& part, const Progress& progress);
 
 /// A mesh that changes, and which facet of the start each of its facets comes from.
 struct MeshInRepair {
@@ -59,7 +60,7 @@ struct MeshInRepair {
 };
 
 /// Vertices of open edges that lie within `tolerance` of an earlier one become it. Returns how many did.
-std::size_t weld_near_vertices(TriangleMesh& mesh, double tolerance);
+std::size_t weld_near_vertices(TriangleMesh& mesh, double tolerance, const Progress& progress);
 
 /// Open edges of which one runs back along another from a vertex of both, within `tolerance`, share their
 /// vertices afterwards: the facet of the longer one is cut in two. Returns how often.
@@ -87,7 +88,8 @@ struct FilledHoles {
 /// Closes rings of at most `most_edges` open edges by at most `largest_area` each; facets are appended, as
 /// part of the body around. Where neighbours meet in edges of different lengths, the ring between them has no
 /// area.
-FilledHoles fill_holes(MeshInRepair& state, double largest_area, std::size_t most_edges);
+FilledHoles fill_holes(MeshInRepair& state, double largest_area, std::size_t most_edges,
+                       const Progress& progress);
 
 [[nodiscard]] std::size_t count_open_edges(const TriangleMesh& mesh);
 

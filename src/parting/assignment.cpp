@@ -260,6 +260,7 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
                    .least = k_divided});
     result.edges = piece_edges(result.mesh);
   }
+  progress.report("assigning", 0.5);
   result.crease = crease_edges(result.mesh, result.edges, model.geometry);
   for (PieceIndex piece = 0; piece < result.mesh.pieces.size(); ++piece) {
     const Region region = result.mesh.pieces[piece].region;
@@ -268,8 +269,10 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
                            : result.free[piece] != 0                        ? MoldSide::core
                                                                             : MoldSide::action);
   }
+  progress.report("assigning", 0.6);
   Costs costs = costs_of(model, result);
   add_wishes(model, settings, result, costs);
+  progress.report("assigning", 0.7);
 
   const std::vector<double> heights = height           ? std::vector<double>{*height}
                                       : result.sampled ? std::vector<double>{0.0}
@@ -283,6 +286,7 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
     trials[k].sides = result.sampled ? result.sides : cut_sides(result, costs, heights[k], progress);
     trials[k].energy = energy_of(result, costs, heights[k], trials[k].sides);
   });
+  progress.report("assigning", 0.8);
   const auto best = std::ranges::min_element(trials, {}, &Trial::energy);
   result.height = heights[static_cast<std::size_t>(best - trials.begin())];
   const auto all_to = [&](MoldSide side) {
@@ -294,6 +298,7 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
   };
   result.energy_to_core = all_to(MoldSide::core);
   result.energy_to_cavity = all_to(MoldSide::cavity);
+  progress.report("assigning", 0.9);
   result.energy = best->energy;
   result.sides = std::move(best->sides);
   join_narrow(result, k_least_width * model.frame.diagonal, result.lateral, result.sides);
@@ -330,9 +335,11 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
   progress.report("assigning", 0.0);
 
   result.edges = piece_edges(result.mesh);
+  progress.report("assigning", 0.2);
   const double least_width = k_least_width * model.frame.diagonal;
   const double upright = std::sin(glm::radians(query.method.tau_deg));
   const std::vector<std::uint8_t> is_action = action_pieces(model, result, exact);
+  progress.report("assigning", 0.4);
   result.free.assign(result.mesh.pieces.size(), 0);
   for (PieceIndex piece = 0; piece < result.mesh.pieces.size(); ++piece) {
     const auto& [corners, facet, region] = result.mesh.pieces[piece];

@@ -146,11 +146,11 @@ UnionReport unite_bodies(Part& part, const Progress& progress) {
 }
 
 void mend_part(Part& part, const RepairOptions& options, const Progress& progress) {
-  repair_part(part, options);
+  repair_part(part, options, progress);
   if (options.level != RepairLevel::unite || part.mesh.facets.empty()) return;
   std::vector<std::string> repairs = std::move(part.repairs);
   const UnionReport united = unite_bodies(part, progress);
-  const std::size_t open = close_cuts(part);
+  const std::size_t open = close_cuts(part, progress);
   repairs.push_back(fmt::format("bodies united: {} facets cut, {:.4g}{} of surface inside others dropped{}",
                                 united.cut_facets, united.inside_area,
                                 part.unit.empty() ? "" : " " + part.unit + "^2",
