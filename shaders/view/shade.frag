@@ -31,7 +31,8 @@ uint looked_up(vec2 pixel, uint facet, vec3 shift) {
 }
 #endif
 #ifdef COMPARED
-uniform vec3 u_difference_colour;
+uniform vec4 u_difference;  // its colour, and whether it is marked
+uniform vec2 u_swapped;     // from where to where in the picture, px, the compared regions take the others' place
 #endif
 #ifdef DETAIL
 #include "view/detail.glsl"
@@ -56,6 +57,20 @@ void main() {
 #else
   uint bits = looked_up(gl_FragCoord.xy, facet, vec3(0.0));
 #endif
+#ifdef COMPARED
+#if defined(KNOWN) && defined(LOOK_UP) && defined(DETAIL)
+  uint compared = looked_up(gl_FragCoord.xy, facet, shift_of(bits));
+#elif defined(KNOWN) && defined(LOOK_UP)
+  uint compared = looked_up(gl_FragCoord.xy, facet, vec3(0.0));
+#else
+  uint compared = surface_exact(surface);
+#endif
+  if (gl_FragCoord.x > u_swapped.x && gl_FragCoord.x < u_swapped.y) {
+    uint shown = compared;
+    compared = bits;
+    bits = shown;
+  }
+#endif
   if (other) bits = 3u;
   o_accessible = bits;
   bool back = surface_shows_back(surface);
@@ -71,16 +86,9 @@ void main() {
   detail(surface, facet, bits, albedo, hatch);
 #endif
 #ifdef COMPARED
-#if defined(KNOWN) && defined(LOOK_UP) && defined(DETAIL)
-  uint compared = looked_up(gl_FragCoord.xy, facet, shift_of(bits));
-#elif defined(KNOWN) && defined(LOOK_UP)
-  uint compared = looked_up(gl_FragCoord.xy, facet, vec3(0.0));
-#else
-  uint compared = surface_exact(surface);
-#endif
-  if (compared != bits && !other) {
+  if (compared != bits && !other && u_difference.a > 0.0) {
     // Between the stripes too, so that slivers narrower than the stripes show.
-    albedo = mix(albedo, u_difference_colour, mix(0.45, 1.0, stripes(from_origin * vec2(1.0, -1.0), u_hatch.x, 0.5)));
+    albedo = mix(albedo, u_difference.rgb, mix(0.45, 1.0, stripes(from_origin * vec2(1.0, -1.0), u_hatch.x, 0.5)));
     hatch = 0.0;
   }
 #endif

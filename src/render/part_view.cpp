@@ -14,7 +14,7 @@ constexpr int k_taps_moving = 12;
 
 bool shows_regions(const ViewSettings& settings) {
   return settings.colour_mode != ColourMode::plain || needs_detail(settings) || settings.transparency > 0.0 ||
-         settings.mark_difference || settings.steel.shown;
+         settings.mark_difference || settings.maps_left_of_px || settings.steel.shown;
 }
 
 /// The subject without what pictures of these settings do not ask for: maps and a split surface are both left
@@ -27,7 +27,8 @@ ViewSubject asked_for(const ViewSubject& subject, const ViewSettings& settings) 
     return asked;
   }
   CHECK(subject.maps != nullptr || subject.split != nullptr);
-  if (subject.maps == nullptr || subject.split == nullptr || settings.mark_difference) return asked;
+  const bool both = settings.mark_difference || settings.maps_left_of_px;
+  if (subject.maps == nullptr || subject.split == nullptr || both) return asked;
   if (settings.regions_by == RegionsBy::exact) {
     asked.maps = nullptr;
   } else {
@@ -94,6 +95,11 @@ void PartView::draw_sample(const ViewSubject& subject) {
   draw_arrows(tools_, frame);
   if (samples_ == 0) unit_from_clip_ = glm::inverse(frame.clip_from_eye * frame.eye_from_unit);
   ++samples_;
+}
+
+void PartView::set_geometry(const ViewGeometry& geometry) {
+  tools_.mesh.take(tools_.gl, geometry);
+  samples_ = 0;
 }
 
 void PartView::set_faces(std::span<const std::uint32_t> of_facet) {

@@ -53,6 +53,8 @@ class PartView {
     }
   }
 
+  /// Draws these facets from now on, numbered as before; see shown_part().
+  void set_geometry(const ViewGeometry& geometry);
   /// The number of the face that each facet belongs to: marks name faces. Without it nothing is marked.
   void set_faces(std::span<const std::uint32_t> of_facet);
   /// Lines over the finished picture from the next call of draw() on; like marks they refine nothing anew.

@@ -107,6 +107,37 @@ void draw_gradient(gl::Tools& tools, Theme theme, const glm::ivec2& size, int sa
   tools.corners.draw();
 }
 
+constexpr int k_footprint_side = 384;       // pixels
+constexpr double k_footprint_reach = 0.75;  // half its side, unit frame: a soft shadow is wider than the part
+constexpr Colour k_studio_above = {250, 250, 252}, k_studio_below = {212, 216, 222};
+
+/// The floor's shadow is that of the part in place, as light from above makes it.
+void draw_studio(ViewTools& tools, const ViewFrame& frame) {
+  ViewTargets& targets = tools.targets;
+  if (frame.sample == 0) {
+    targets.make_footprint(tools.gl, k_footprint_side);
+    gl::begin(tools.gl, {.framebuffer = targets.to_footprint.name(), .size = glm::ivec2(k_footprint_side)});
+    constexpr GLfloat k_bare[4] = {0.0F, 0.0F, 0.0F, 0.0F};
+    tools.gl.ClearBufferfv(GL_COLOR, 0, k_bare);
+    const gl::Program& footprint = tools.programs.use("view/geometry.vert", "view/footprint.frag");
+    const glm::dvec3 flat(1.0 / k_footprint_reach, 1.0 / k_footprint_reach, 0.0);
+    footprint.set("u_clip_from_unit", glm::mat4(glm::scale(glm::dmat4(1.0), flat)));
+    tools.mesh.facets.draw(tools.gl);
+  }
+  gl::begin(tools.gl,
+            {.framebuffer = targets.to_colour.name(), .size = targets.size, .depth = gl::DepthTest::equal});
+  const gl::Program& program = tools.programs.use("common/at_infinity.vert", "view/studio.frag");
+  program.set_texture("t_footprint", 0, GL_TEXTURE_2D, targets.footprint);
+  program.set("u_ground", *frame.settings.ground);
+  program.set("u_reach", k_footprint_reach);
+  program.set("u_above", screen_value(k_studio_above));
+  program.set("u_below", screen_value(k_studio_below));
+  program.set("u_size", glm::vec2(frame.size));
+  program.set("u_sample", frame.sample);
+  frame.set_sight(program);
+  tools.corners.draw();
+}
+
 void set_detail(const gl::Program& program, const ViewFrame& frame) {
   const ViewSettings& settings = frame.settings;
   const PartBuffers& part = frame.subject.part;
@@ -208,6 +239,7 @@ bool needs_detail(const ViewSettings& settings) {
 }
 
 void draw_background(ViewTools& tools, const ViewFrame& frame) {
+  if (frame.settings.ground) return draw_studio(tools, frame);
   gl::begin(tools.gl, {.framebuffer = tools.targets.to_colour.name(),
                        .size = tools.targets.size,
                        .depth = gl::DepthTest::equal});
@@ -258,7 +290,15 @@ void shade(ViewTools& tools, const ViewFrame& frame) {
     subject.maps->bind(program, k_first_map_unit);
     frame.set_sight(program);
   }
-  if (compared) program.set("u_difference_colour", light_value(k_difference_mark));
+  if (compared) {
+    const double everywhere = frame.size.x, from = settings.maps_left_of_px.value_or(everywhere);
+    program.set("u_difference",
+                glm::vec4(light_value(k_difference_mark), settings.mark_difference ? 1.0F : 0.0F));
+    // What is known is exact; the other side of the line has what it is compared with.
+    const glm::dvec2 swapped =
+        frame.exact() || frame.by_region() ? glm::dvec2(-1.0, from) : glm::dvec2(from, everywhere + 1.0);
+    program.set("u_swapped", glm::vec2(settings.maps_left_of_px ? swapped : glm::dvec2(0.0)));
+  }
   const bool regions = settings.colour_mode == ColourMode::regions;
   for (const Region region : k_regions) {
     program.set(element("u_colours", facts(region).accessible),

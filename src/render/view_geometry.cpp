@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -133,6 +134,33 @@ ViewGeometry view_geometry(const TriangleMesh& mesh, const FacetGeometry& geomet
   return view;
 }
 
+ViewGeometry shown_part(const ViewGeometry& whole, std::span<const std::uint8_t> hidden) {
+  ViewGeometry shown = whole;
+  const auto place_of = [](const glm::vec3& point) { return std::array{point.x, point.y, point.z}; };
+  std::set<std::array<float, 3>> places;  // of what is left
+  shown.solids.clear();
+  shown.all_solid = false;
+  for (std::size_t facet = 0; facet < whole.facets.size(); ++facet) {
+    if (hidden[facet] != 0) {
+      shown.facets[facet] = {};
+      continue;
+    }
+    for (const VertexIndex corner : whole.facets[facet])
+      places.insert(place_of(whole.vertices[corner].position));
+    if (whole.all_solid) shown.solids.push_back(whole.facets[facet]);
+  }
+  const auto is_hidden = [&](const auto& corners) {
+    return !places.contains(place_of(whole.vertices[corners[0]].position));
+  };
+  if (!whole.all_solid) {
+    shown.solids = whole.solids;
+    std::erase_if(shown.solids, is_hidden);
+  }
+  std::erase_if(shown.feature_edges,
+                [&](const ViewSegment& edge) { return !places.contains(place_of(edge.start)); });
+  return shown;
+}
+
 std::vector<ViewSegment> parting_line(const SplitMesh& split, const UnitFrame& frame) {
   std::vector<ViewSegment> segments;
   for (const RegionBorder& border : region_borders(split)) {
@@ -180,7 +208,8 @@ SplitGeometry split_geometry(const SplitMesh& split, const TriangleMesh& mesh, c
   for (const SplitPiece& piece : split.pieces) {
     const auto& whole = mesh.facets[piece.facet];
     std::array<VertexIndex, 3> corners = view.facets[piece.facet];
-    if (piece.corners != whole) {
+    const bool hidden = corners[0] == corners[1] && whole[0] != whole[1];
+    if (!hidden && piece.corners != whole) {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto* corner = std::find(whole.begin(), whole.end(), piece.corners[k]);
         corners[k] = corner != whole.end()

@@ -49,6 +49,10 @@ struct ViewGeometry {
 [[nodiscard]] ViewGeometry view_geometry(const TriangleMesh& mesh, const FacetGeometry& geometry,
                                          const Adjacency& adjacency, const UnitFrame& frame);
 
+/// The same without some facets, of which it keeps the numbers: a facet of which `hidden` has anything but 0
+/// is no triangle any more, and its edges go.
+[[nodiscard]] ViewGeometry shown_part(const ViewGeometry& whole, std::span<const std::uint8_t> hidden);
+
 /// Where regions other than undercuts border on each other: along the direction these lines make the part's
 /// outline, and they are where mold halves can meet.
 [[nodiscard]] std::vector<ViewSegment> parting_line(const SplitMesh& split, const UnitFrame& frame);
@@ -67,7 +71,8 @@ struct SplitGeometry {
   std::vector<std::uint32_t> sources;  // of each piece: its facet, and its accessibility bits from bit 30 on
 };
 
-/// `view` is the view geometry of `mesh`, `split` a split of it. Normals are interpolated over each facet, so
+/// `view` is the view geometry of `mesh`, `split` a split of it. Pieces of facets that the view hides are no
+/// triangles either. Normals are interpolated over each facet, so
 /// that a split surface has the same light as a whole one. Some milliseconds for 500,000 facets.
 [[nodiscard]] SplitGeometry split_geometry(const SplitMesh& split, const TriangleMesh& mesh,
                                            const ViewGeometry& view, const UnitFrame& frame);

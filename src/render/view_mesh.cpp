@@ -80,4 +80,11 @@ ViewMesh::ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry)
   if (!geometry.all_solid) some_solid.emplace(gl, geometry.vertices, geometry.solids);
 }
 
+void ViewMesh::take(const gl::Functions& gl, const ViewGeometry& geometry) {
+  facets = TriangleBuffer(gl, geometry.vertices, geometry.facets);
+  feature_edges = SegmentBuffer(gl, geometry.feature_edges);
+  some_solid.reset();
+  if (!geometry.all_solid) some_solid.emplace(gl, geometry.vertices, geometry.solids);
+}
+
 }  // namespace moldlight

@@ -88,6 +88,9 @@ inline constexpr std::size_t k_marked_lines = 3;
 struct ViewMesh {
   ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry);
 
+  /// In place of the facets and edges that are there; what is marked stays.
+  void take(const gl::Functions& gl, const ViewGeometry& geometry);
+
   TriangleBuffer facets;  // triangle k is facet k
   bool closed;
   /// The facets of bodies without open edges.

@@ -83,8 +83,12 @@ struct ViewSettings : LookSettings {
   SteelLook steel{};
   double dimmed = 0.0;        // [0, 1]: how gray the colours of the part's surface are, beside what is lit
   double arrows_apart = 0.0;  // as an opened mold would move the arrows, where it is more than that
-  double pixel_scale = 1.0;   // widths of lines and hatches in units of a pixel
-  int samples = 16;           // pictures at rest average this many shifted ones, [1, 64]
+  // A picture of both kinds of regions: what is left of here, in pixels, has those of the maps, the rest the
+  // exact ones, whatever `regions_by` says.
+  std::optional<double> maps_left_of_px{};
+  std::optional<double> ground{};  // of a studio, whose floor the part's soft shadow lies on: z, unit frame
+  double pixel_scale = 1.0;        // widths of lines and hatches in units of a pixel
+  int samples = 16;                // pictures at rest average this many shifted ones, [1, 64]
 
   /// By which core and cavity surface are moved, unit frame.
   [[nodiscard]] double travel() const { return open_mold * k_mold_travel; }

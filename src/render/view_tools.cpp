@@ -24,6 +24,12 @@ void ViewTargets::make(const gl::Functions& gl, GLenum format, gl::Texture& text
   framebuffer = gl::make_framebuffer(gl, texture);
 }
 
+void ViewTargets::make_footprint(const gl::Functions& gl, int side) {
+  if (footprint) return;
+  footprint = gl::make_texture_2d(gl, GL_R8, side, side);
+  to_footprint = gl::make_framebuffer(gl, footprint);
+}
+
 void ViewTargets::keep_first(const gl::Functions& gl) {
   if (!first_surface) {
     first_surface = gl::make_texture_2d(gl, GL_RG32UI, size.x, size.y);

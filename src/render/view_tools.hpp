@@ -23,6 +23,8 @@ struct ViewTargets {
   void make_sum(const gl::Functions& gl) { make(gl, GL_RGBA32F, sum, to_sum); }
   void make_winding(const gl::Functions& gl) { make(gl, GL_R16F, winding, to_winding); }
   void make_tube(const gl::Functions& gl) { make(gl, GL_RGBA8, tube, to_tube); }
+  /// And of a studio; square, of a size of its own.
+  void make_footprint(const gl::Functions& gl, int side);
   /// Copies what the first sample shows of the surface.
   void keep_first(const gl::Functions& gl);
 
@@ -37,7 +39,8 @@ struct ViewTargets {
   gl::Texture sum;                                       // RGBA32F, squares of samples
   gl::Framebuffer to_surface, to_accessible, to_colour;  // with depth
   gl::Framebuffer to_shaded;                             // colour, accessibility bits; with depth
-  gl::Framebuffer to_openness, to_winding, to_tube, to_sum;
+  gl::Texture footprint;                                 // R8, see shaders/view/footprint.frag
+  gl::Framebuffer to_openness, to_winding, to_tube, to_sum, to_footprint;
 
   /// Surface and accessibility bits of the first sample, whose lines of sight go through the pixels' middles.
   gl::Texture first_surface, first_depth, first_accessible;
