@@ -170,7 +170,7 @@ void App::frame(const FrameInput& input) {
   apply(edits);
   // Maps that are looked at are compared with the split mesh even while one of their sliders moves.
   measurer_.update(state_, state_.figures, now_s_,
-                   edits.dragging || turn_.flying() || (ImGui::IsAnyItemActive() && !regions_by_maps()));
+                   edits.dragging || turn_.flying() || (ImGui::IsAnyItemActive() && !maps_shown(state_)));
   follow_figures();
   find_actions(edits.dragging || ImGui::IsAnyItemActive());
   find_mold(edits.dragging || ImGui::IsAnyItemActive());
@@ -321,6 +321,7 @@ void App::apply(const Edits& edits) {
   // The large ball would cover one of the two pictures.
   if (choices.large_ball && !former.sweep_choices.large_ball) choices.compared.reset();
   if (choices.compared && !former.sweep_choices.compared) choices.large_ball = false;
+  if (choices.compared || revision_) state_.divider.reset();
   if (edits.dragging) state_.hints_done.insert(Hint::arrow);
   const bool held = edits.dragging || ImGui::IsAnyItemActive();
   if (edits.give_up_drag && (held || viewport_.dragging())) {

@@ -134,7 +134,6 @@ class App {
     history_.settle(state_.settings);
   }
   [[nodiscard]] SceneSettings scene_settings() const;
-  [[nodiscard]] bool regions_by_maps() const { return state_.settings.look.regions_by == RegionsBy::maps; }
   /// Hands what the picture's maps are worth to the panels of the next frame.
   void show_comparison();
   void plan_next_frame();

@@ -227,6 +227,8 @@ struct Editable {
   DraftChoices draft_choices;
   RevisionChoices revision_choices;
   std::optional<Measuring> measuring;  // the tool, while it is on
+  // Of the regions of the maps on the left from exact ones on the right: its place between the panels, [0, 1].
+  std::optional<double> divider;
   std::set<Hint> hints_done;
 };
 
@@ -256,6 +258,10 @@ struct AppState : Editable {
   bool notes_beside = false;  // settings and bookmarks are saved beside the part
 };
 
+/// Whether the picture has regions of the shadow maps, and of the direction at rest.
+[[nodiscard]] inline bool maps_shown(const Editable& shown) {
+  return shown.settings.look.regions_by == RegionsBy::maps || shown.divider;
+}
 /// Whether the step is open, and is what is looked at: two revisions beside each other have no step.
 [[nodiscard]] inline bool is_at(const AppState& state, Step step) {
   return state.model && state.step == step && !state.revisions.on();

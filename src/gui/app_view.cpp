@@ -161,9 +161,12 @@ SceneSettings App::scene_settings() const {
   scene.view.camera = state_.camera;
   scene.direction_moves = direction_moves_;
   const bool marked = look.mark_difference;
-  scene.maps_looked_at = regions_by_maps() || marked || state_.dialogs.large_map.has_value();
-  if (marked || shown.parting_line || !regions_by_maps()) scene.split = state_.figures.split;
-  if (regions_by_maps()) scene.samples = state_.figures.samples;
+  const bool by_maps = maps_shown(state_);
+  scene.maps_looked_at = by_maps || marked || state_.dialogs.large_map.has_value();
+  if (marked || shown.parting_line || !by_maps || state_.divider) scene.split = state_.figures.split;
+  if (by_maps) scene.samples = state_.figures.samples;
+  if (state_.divider)
+    shown.maps_left_of_px = divider_place(*state_.divider, layout_.free_area(state_.dialogs.panels_hidden));
   ViewMarks& marks = scene.view.marks;
   marks.undercut_glow = glow_.at(now_s_);
   scene.bodies = revision_ ? lit_places(state_, state_.camera)
@@ -205,7 +208,7 @@ bool App::draw(const ViewTarget& target) {
 void App::show_comparison() {
   Figures& figures = state_.figures;
   const auto former = figures.maps;
-  if (!regions_by_maps() || direction_moves_) {
+  if (!maps_shown(state_) || direction_moves_) {
     figures.maps.reset();
   } else if (figures.samples) {  // until they are there the last comparison stays
     figures.maps = scene_->comparison();

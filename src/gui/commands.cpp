@@ -65,6 +65,8 @@ void escape(const Pressed& p) {
     p.edits.ask(&Commands::dismiss_toasts);
   } else if (p.edits.measuring) {
     p.edits.measuring.reset();
+  } else if (p.edits.divider) {
+    p.edits.divider.reset();
   } else if (choices.compared) {
     choices.compared.reset();
   } else if (choices.large_ball) {
@@ -152,6 +154,12 @@ void look_from_side(const Pressed& p) {
       : p.key.key == GLFW_KEY_KP_3 ? std::pair(StandardView::right, StandardView::left)
                                    : std::pair(StandardView::top, StandardView::bottom);
   p.edits.ask(&Commands::look_from, standard_orientation(p.key.ctrl ? opposite : view));
+}
+
+void move_divider(const Pressed& p) {
+  constexpr double k_step = 0.02;
+  const double by = p.key.key == GLFW_KEY_COMMA ? -k_step : k_step;
+  if (p.edits.divider) p.edits.divider = std::clamp(*p.edits.divider + by, 0.0, 1.0);
 }
 
 Section next_section(Section section) {
@@ -243,6 +251,10 @@ const std::array<Shortcuts, 3>& shortcuts() {
        {'S'},
        [](P p) { p.look.section = next_section(p.look.section); }},
       {{"R", "measure between two places, or end it"}, part_no_ctrl, {'R'}, measure},
+      {{", / .", "move the line between maps and exact"},
+       part_no_ctrl,
+       {GLFW_KEY_COMMA, GLFW_KEY_PERIOD},
+       move_divider},
       {{"D", "colour by region or by draft angle"}, part_no_ctrl, {'D'}, colour_by_draft},
       {{"P", "palette"}, part_no_ctrl, {'P'}, [](P p) { take_the_other(p.look.palette); }},
       {{"T", "dark or light"}, always, {'T'}, [](P p) { take_the_other(p.edits.window.theme); }},

@@ -11,13 +11,14 @@ class RegionsAre : public WindowWithPart {
 
   [[nodiscard]] RegionsBy by() const { return state().settings.look.regions_by; }
   /// Pixels of the scene that differ by more than rounding, in all.
-  [[nodiscard]] std::size_t differing(const std::vector<std::uint8_t>& before) const {
+  [[nodiscard]] std::size_t differing(const std::vector<std::uint8_t>& before, std::size_t from = 300,
+                                      std::size_t to = 980, std::size_t low = 500) const {
     const std::vector<std::uint8_t> now = window.pixels();
     std::size_t count = 0;
     for (std::size_t k = 0; k < now.size(); k += 4) {
       const std::size_t x = k / 4 % static_cast<std::size_t>(window.size().x);
       const std::size_t y = k / 4 / static_cast<std::size_t>(window.size().x);
-      if (x < 300 || x > 980 || y > 500) continue;  // panels, and the drawer
+      if (x < from || x > to || y > low) continue;  // panels, and the drawer
       int most = 0;
       for (std::size_t c = 0; c < 3; ++c)
         most = std::max(most, std::abs(int(now[k + c]) - int(before[k + c])));
@@ -86,6 +87,46 @@ TEST_F(RegionsAre, MarkedWhereTheyDiffer) {
   click("Mark the difference");
   window.settle();
   EXPECT_GT(differing(marked), 500U);
+}
+
+TEST_F(RegionsAre, OfTheMapsAndExactOnEitherSideOfALineThatIsDragged) {
+  turn_maps_drawer();
+  slide("Map resolution", 0.0F);
+  move_to({640, 60});
+  window.wait_until_measured();
+  const std::vector<std::uint8_t> maps = window.pixels();
+  click("Regions by=exact");
+  move_to({640, 60});
+  window.wait_until_measured();
+  const std::vector<std::uint8_t> exact = window.pixels();
+  ASSERT_GT(differing(maps), 500U) << "so coarse that it shows";
+  click("Split view");
+  EXPECT_TRUE(state().settings.look.mark_difference) << "the difference is marked";
+  window.wait_until_measured();
+  EXPECT_GT(differing(exact), 500U);
+  EXPECT_TRUE(window.app().controls().contains("map comparison"));
+  click("Mark the difference");  // to compare the pictures
+  std::optional<double> before = state().divider;
+  ASSERT_TRUE(before);
+  for (const float by : {0.0F, -90.0F, 150.0F}) {
+    const glm::vec2 handle = window.control("dividing line").centre();
+    drag(handle, handle + glm::vec2(by, 0.0F));
+    move_to({640, 60});
+    window.wait_until_measured();
+    EXPECT_EQ(*state().divider > *before, by > 0.0F);
+    EXPECT_NEAR(window.control("dividing line").centre().x, handle.x + by, 2.0F);
+    before = state().divider;
+    const auto line = static_cast<std::size_t>(handle.x + by);
+    constexpr std::size_t k_beside = 14;  // of the line, with its handle; and above the names at its foot
+    const auto low = static_cast<std::size_t>(window.control("panel Shadow maps").min.y - 44.0F);
+    EXPECT_LT(differing(maps, 300, line - k_beside, low), 50U) << "on the left";
+    EXPECT_LT(differing(exact, line + k_beside, 980, low), 50U) << "on the right";
+  }
+  EXPECT_GT(differing(exact), 100U);
+  key({.key = ','});
+  EXPECT_NEAR(*state().divider, *before - 0.02, 1e-9);
+  key({.key = k_escape});
+  EXPECT_FALSE(state().divider);
 }
 
 class MapsAreCompared : public RegionsAre {

@@ -5,6 +5,7 @@
 #include "gui/panels/panels.hpp"
 #include "gui/window_with_part.hpp"
 #include "io/mesh_writer.hpp"
+#include "support/boxes.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shapes.hpp"
 #include "support/solid_builder.hpp"
@@ -74,6 +75,40 @@ TEST_F(Verdicts, ShowTheUndercuts) {
   click("verdict");
   EXPECT_GT(window_.state().camera.toward_viewer().x, 0.1);
   EXPECT_NEAR(glm::dot(window_.state().camera.right(), glm::dvec3(0, 0, 1)), 0.0, 1e-9) << "upright";
+}
+
+TEST_F(Verdicts, RepairTheMesh) {
+  // A block whose lid lacks a triangle: too little is known of it as it is.
+  TriangleMesh mesh = moldlight::test::box_mesh({0, 0, 0}, {20, 20, 10});
+  mesh.facets.pop_back();
+  open(mesh);
+  ASSERT_TRUE(window_.state().verdict);
+  ASSERT_EQ(window_.state().verdict->state, VerdictState::unknown) << verdict().sentence;
+  window_.settle();
+  ASSERT_TRUE(window_.app().controls().contains("verdict repair"));
+  // The hole is larger than what is filled unasked: that is said, and the next repair is offered.
+  click("verdict repair");
+  window_.wait_until_loaded();
+  window_.wait_until_measured();
+  EXPECT_EQ(window_.state().reading.repair.level, RepairLevel::full);
+  EXPECT_FALSE(window_.state().model->part.repairs.empty()) << "what was done is on record";
+}
+
+TEST_F(Verdicts, AreDecidedOnceTheMeshIsRepaired) {
+  TriangleMesh mesh = moldlight::test::box_mesh({0, 0, 0}, {20, 20, 10});
+  std::swap(mesh.facets.front()[0], mesh.facets.front()[1]);  // one facet faces inward
+  open(mesh);
+  ASSERT_EQ(window_.state().verdict->state, VerdictState::unknown) << verdict().sentence;
+  window_.settle();
+  click("verdict repair");
+  window_.wait_until_loaded();
+  window_.wait_until_measured();
+  window_.settle();
+  EXPECT_EQ(verdict().sentence, "Two-plate mold: no undercut.");
+  EXPECT_FALSE(window_.app().controls().contains("verdict repair"));
+  window_.press_key({.key = '1'});
+  window_.settle();
+  EXPECT_TRUE(window_.app().controls().contains("Repair=full")) << "the panel has the choice, too";
 }
 
 class LongVerdicts : public Verdicts {

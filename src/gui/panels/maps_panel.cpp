@@ -60,7 +60,7 @@ void draw_accuracy(const PanelContext& context, const PartLengths& lengths) {
 void draw_map_comparison(const PanelContext& context) {
   const Ui& ui = context.ui;
   const Figures& figures = context.state.figures;
-  if (context.state.settings.look.regions_by != RegionsBy::maps) return;
+  if (!maps_shown(context.state)) return;
   if (!figures.maps) {
     hint(ui, "shadow maps: compared with exact regions when the direction rests");
     return;
@@ -103,12 +103,23 @@ void draw_maps_drawer(const PanelContext& context, const MapTextures& textures) 
     };
     for (const std::string_view key : k_map_options) touched = row(key) || touched;
     // What a control of the maps does is to be seen.
-    if (touched) look.regions_by = RegionsBy::maps;
+    auto& divider = context.edits.divider;
+    if (touched && !divider) look.regions_by = RegionsBy::maps;
     row("couple_kernel");
     // What the step's panel shows stands there alone.
     if (context.state.step != Step::part) row("tau_deg");
     ImGui::TableNextColumn();
-    option_row(ui, option_named(look_options(), "mark_difference"), look);
+    const Option<LookSettings>& mark = option_named(look_options(), "mark_difference");
+    if (chip(ui, mark.label, look.mark_difference)) look.mark_difference = !look.mark_difference;
+    tooltip(ui, mark.label, mark.help);
+    if (chip(ui, "Split view", divider.has_value(), false)) {
+      divider = divider ? std::nullopt : std::optional(0.5);
+      look.mark_difference = divider.has_value();
+      look.regions_by = RegionsBy::exact;
+    }
+    tooltip(
+        ui, "Split view",
+        "Regions of the shadow maps on the left, exact regions on the right. Drag the line between them.");
     if (context.state.step != Step::direction) {
       ImGui::TableNextColumn();
       draw_direction_fields(context);

@@ -93,6 +93,7 @@ void draw_part_controls(const PanelContext& context) {
   const glm::dvec3 size = model.frame.diagonal * glm::dvec3(most - least);
   hint(ui, fmt::format("{} facets · {} × {} × {} {}", grouped(std::to_string(model.part.mesh.facets.size())),
                        rounded(size.x), rounded(size.y), rounded(size.z), length_unit(model.part)));
+  for (const std::string& repair : model.part.repairs) hint(ui, repair);
   for (const std::string& warning : model.warnings) {
     const glm::vec2 at = cursor_at();
     draw_icon(window_list(), Icon::alert, at + glm::vec2(ui.px(6), ui.px(8)), ui.px(12), ui.colours->warning);
@@ -103,6 +104,7 @@ void draw_part_controls(const PanelContext& context) {
   ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
   draw_unit(context);
   draw_body(context);
+  option_row(ui, option_named(reading_options(), "repair"), context.edits.reading);
   MethodSettings& method = context.edits.settings.method;
   const PartLengths lengths(context.state);
   option_row(ui, option_named(method_options(), "tau_deg"), method);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "classify/figure_table.hpp"
+#include "classify/method_options.hpp"
 #include "classify/number_format.hpp"
 #include "classify/option.hpp"
 #include "gui/draw/widgets.hpp"
@@ -137,6 +138,13 @@ std::string tooltip_text(const VerdictCard& card) {
 constexpr std::array<ImU32, 4> k_lights = {IM_COL32(140, 146, 154, 255), IM_COL32(52, 178, 96, 255),
                                            IM_COL32(240, 168, 40, 255), IM_COL32(226, 62, 54, 255)};
 
+/// Of a mesh with these faults; one that has been done already helps no more.
+RepairLevel repair_that_helps(const AppState& state) {
+  const HealthReport& health = state.model->health;
+  const bool torn = health.open_edges + health.inconsistent_edges > 0;
+  return torn && state.reading.repair.level < RepairLevel::full ? RepairLevel::full : RepairLevel::unite;
+}
+
 /// What to do next, in one button: the mesh, a better direction, the undercuts.
 void draw_next(const PanelContext& context, const VerdictCard& card) {
   const Ui& ui = context.ui;
@@ -150,7 +158,14 @@ void draw_next(const PanelContext& context, const VerdictCard& card) {
   const SweepState& sweep = context.state.sweep;
   const auto better = std::ranges::find_if(sweep.cards, &DirectionCard::offered);
   if (card.verdict->state == VerdictState::unknown) {
-    if (wide("Show the faults of the mesh", "verdict repair")) context.edits.enter(Step::part);
+    const RepairLevel level = repair_that_helps(context.state);
+    if (level > context.state.reading.repair.level) {
+      if (wide(level == RepairLevel::full ? "Repair the mesh" : "Unite what overlaps", "verdict repair"))
+        context.edits.reading.repair.level = level;
+      tooltip(ui, "Repair", option_named(reading_options(), "repair").help);
+    } else if (wide("Show the faults of the mesh", "verdict faults")) {
+      context.edits.enter(Step::part);
+    }
   } else if (better != sweep.cards.end() && !sweep.stale) {
     if (wide(fmt::format("Go to {}", with_minus(better->name)), "verdict go"))
       context.edits.ask(&Commands::fly_to_direction, better->direction);
@@ -205,7 +220,7 @@ VerdictCard verdict_card(const AppState& state) {
   constexpr double k_seen = 1e-6;  // of the part's surface: less is no pixel
   double red = here.areas[Region::undercut];
   if (const auto& maps = state.figures.maps) red += maps->excess(Region::undercut);
-  const bool known = state.figures.maps || state.settings.look.regions_by == RegionsBy::exact;
+  const bool known = state.figures.maps || !maps_shown(state);
   card.red = !known || red > k_seen * here.total_area;
   if (card.verdict) {
     card.sentence = card.verdict->sentence;

@@ -93,6 +93,11 @@ std::optional<ViewArrow> Viewport::arrow_in_scene(const AppState& state, const S
 }
 
 std::optional<ArrowOnScreen> Viewport::arrow(const AppState& state, const SceneFrame& frame, Arrow which) {
+  if (which == Arrow::divider) {  // which is held anywhere along its line
+    if (!state.divider) return std::nullopt;
+    const glm::vec2 at(divider_place(*state.divider, frame.free), mouse_at().y);
+    return ArrowOnScreen{at, at};
+  }
   const auto shape = arrow_in_scene(state, frame, which);
   if (!shape) return std::nullopt;
   const auto tail = project(state.camera, frame.size, shape->tail);
@@ -137,7 +142,8 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
   }
   const bool on_scene = !io.WantCaptureMouse && ImGui::IsMousePosValid();
   if (!dragging() && on_scene) {
-    for (const Arrow each : {Arrow::core, Arrow::cavity, Arrow::section, Arrow::side, Arrow::height}) {
+    for (const Arrow each :
+         {Arrow::divider, Arrow::core, Arrow::cavity, Arrow::section, Arrow::side, Arrow::height}) {
       const auto shown = arrow(state, frame, each);
       if (shown && !frame.in_second(mouse_at()) && glm::distance(shown->tip, mouse_at()) < ui.px(k_tip_reach))
         near_tip_ = each;
@@ -171,6 +177,9 @@ void Viewport::handle_mouse(const Ui& ui, const AppState& state, const SceneFram
       drag_section(state, frame, edits);
     } else if (drag_->arrow == Arrow::height) {
       drag_height(state, frame, *drag_, edits);
+    } else if (drag_->arrow == Arrow::divider) {
+      const float from = static_cast<float>(frame.free.min.x), to = static_cast<float>(frame.free.max.x);
+      edits.divider = std::clamp((mouse_at().x + drag_->grip.x - from) / (to - from), 0.0F, 1.0F);
     } else if (drag_->arrow == Arrow::side) {
       drag_side(state, frame, edits);
     } else {
@@ -278,6 +287,30 @@ void Viewport::drag_section(const AppState& state, const SceneFrame& frame, Edit
   edits.dragging = true;
 }
 
+double divider_place(double divider, const FreeArea& free) {
+  return std::round(glm::mix(static_cast<double>(free.min.x), static_cast<double>(free.max.x), divider));
+}
+
+void Viewport::draw_divider(const Ui& ui, const AppState& state, const FreeArea& free) const {
+  if (!state.divider) return;
+  ImDrawList& list = scene_list();
+  const glm::vec2 top(divider_place(*state.divider, free), free.min.y), bottom(top.x, free.max.y);
+  const bool lively = drag_ ? drag_->arrow == Arrow::divider : near_tip_ == Arrow::divider;
+  list.AddLine(top, bottom, faded(ui.colours->panel, 0.9F), 4.0F * ui.scale);
+  list.AddLine(top, bottom, ui.colours->text, (lively ? 2.5F : 1.5F) * ui.scale);
+  const glm::vec2 middle = 0.5F * (top + bottom), reach(ui.px(11));
+  list.AddCircleFilled(middle, reach.x, ui.colours->panel);
+  list.AddCircle(middle, reach.x, ui.colours->text, 0, 1.5F * ui.scale);
+  draw_icon(list, Icon::chevron_left, middle - glm::vec2(ui.px(4), 0.0F), ui.px(8), ui.colours->text);
+  draw_icon(list, Icon::chevron_right, middle + glm::vec2(ui.px(4), 0.0F), ui.px(8), ui.colours->text);
+  ui.memory->controls["dividing line"] = {middle - reach, middle + reach};
+  for (const bool maps : {true, false}) {
+    const std::string_view name = maps ? "shadow maps" : "exact";
+    const float aside = 0.5F * tag_size(ui, name).x + ui.px(10);
+    draw_whole_tag(ui, bottom + glm::vec2(maps ? -aside : aside, -ui.px(24)), name, ui.colours->text);
+  }
+}
+
 /// Above the cursor: what is said of the surface stands beside it.
 void Viewport::draw_loop(const Ui& ui, const AppState& state) const {
   if (!near_loop_ || !state.mold.line || *near_loop_ >= state.mold.line->loops.size()) return;
@@ -294,6 +327,7 @@ void Viewport::draw_loop(const Ui& ui, const AppState& state) const {
 void Viewport::draw_arrow_names(const Ui& ui, const AppState& state, const SceneFrame& frame) const {
   if (!state.model) return;
   draw_loop(ui, state);
+  draw_divider(ui, state, frame.free);
   draw_height_handle(ui, state, frame.free,
                      drag_ ? drag_->arrow == Arrow::height : near_tip_ == Arrow::height);
   draw_undercut_window(ui, state, frame.size);

@@ -35,6 +35,9 @@ struct SceneFrame {
   }
 };
 
+/// Where the line between regions of maps and exact ones is, pixels from the window's left.
+[[nodiscard]] double divider_place(double divider, const FreeArea& free);
+
 /// An arrow on the screen.
 struct ArrowOnScreen {
   glm::vec2 tail{0.0F}, tip{0.0F};  // pixels
@@ -54,7 +57,7 @@ class Viewport {
   void give_up_drag() { drag_.reset(); }
 
  private:
-  enum class Arrow : std::uint8_t { core, cavity, section, side, height };
+  enum class Arrow : std::uint8_t { core, cavity, section, side, height, divider };
   struct ArrowDrag {
     Arrow arrow = Arrow::core;
     bool front = true;     // it was grabbed on the viewer's side
@@ -80,6 +83,7 @@ class Viewport {
     std::optional<std::size_t> loop;    // of the parting line
   };
   void draw_loop(const Ui& ui, const AppState& state) const;
+  void draw_divider(const Ui& ui, const AppState& state, const FreeArea& free) const;
   std::optional<Press> press_;  // of the left button on the scene, until the mouse drags
   std::optional<ArrowDrag> drag_;
   std::optional<Arrow> near_tip_;         // whose tip is under the cursor
