@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "classify/option.hpp"
 #include "mesh/length_unit.hpp"
 
@@ -13,6 +14,12 @@ namespace moldlight::gui {
 namespace {
 
 constexpr double k_toast_s = 6.0, k_failure_toast_s = 15.0;
+
+/// Of the file as one part; a repair is made of what is chosen.
+ReadOptions of_whole(ReadOptions reading) {
+  if (reading.repair.level == RepairLevel::none) reading.body = "all";
+  return reading;
+}
 
 /// Settings that are lengths keep their size when the part's unit becomes another one.
 void convert_lengths(MethodSettings& method, std::string_view from, std::string_view to) {
@@ -35,6 +42,7 @@ App::App(const gl::Context& context, AppOptions options)
       measurer_(options_.make_context, options_.wake),
       study_(options_.wake),
       comparer_(options_.wake),
+      body_verdicts_(options_.wake),
       sweep_(options_.wake) {
   state_.window = begun_with_ = options_.window.value_or(options_.user.window);
   state_.sweep_choices.options = options_.user.sweep;
@@ -50,6 +58,7 @@ void App::open(const std::string& path) {
   const std::string part = absolute_path(path);
   if (batch::is_batch(part)) return open_batch(part);
   const bool again = state_.model && part == state_.path;
+  state_.bodies.whole.reset();  // the file may have changed
   PartNotes notes = again ? PartNotes() : notes_of(part);
   ReadOptions reading = again ? state_.reading : options_.reading;
   if (!again) {
@@ -70,10 +79,19 @@ void App::open_batch(const std::string& path) {
 
 void App::load(const std::string& path, const ReadOptions& reading, PartNotes notes) {
   compared_next_.reset();
-  state_.loading = Loading{.path = path, .status = {"reading", 0.0}, .notes = std::move(notes)};
-  loader_.start([path, reading](
-                    const Progress& progress) -> Loaded { return load_for_window(path, reading, progress); },
-                state_.loading->status);
+  state_.loading =
+      Loading{.path = path, .status = {"reading", 0.0}, .notes = std::move(notes), .since_s = now_s_};
+  const auto whole = state_.bodies.whole;
+  const bool known = whole && whole->path == path && whole->reading == of_whole(reading);
+  loader_.start(
+      [path, reading, whole = known ? whole : nullptr](const Progress& progress) -> Loaded {
+        const auto body = number_from<std::size_t>(reading.body);
+        if (whole && reading == whole->reading) return *whole;
+        if (whole && body && *body > 0 && *body <= whole->model->part.bodies.size())
+          return loaded_body(*whole, *body - 1, progress);
+        return load_for_window(path, reading, progress);
+      },
+      state_.loading->status);
 }
 
 PartNotes App::notes_of(const std::string& path) {
@@ -154,10 +172,12 @@ void App::frame(const FrameInput& input) {
                         pictures_->draw_next(scene_settings().view.settings, candidate_picture_size(scale_));
   const std::vector<unsigned> shipped = shipped_pictures(ui);
   if (batch_pictures_) batch_pictures_->begin_frame();
+  if (body_pictures_) body_pictures_->begin_frame();
   workspace_.draw({ui, state_, edits, layout_},
                   {.maps = maps,
                    .shipped_parts = shipped,
                    .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>(),
+                   .bodies = [this](std::size_t body) { return body_picture(body); },
                    .batch = [this](const Digest& part) { return batch_pictures_->texture(part); }});
   if (split && revision_) {
     draw_split(ui, *split, revision_->beside(split->size));
@@ -176,6 +196,7 @@ void App::frame(const FrameInput& input) {
   find_mold(edits.dragging || ImGui::IsAnyItemActive());
   compare_revisions(edits.dragging || turn_.flying() || ImGui::IsAnyItemActive());
   sweep_by_itself(edits.dragging);
+  body_verdicts_.update(state_, state_.bodies, is_at(state_, Step::part) && !measuring() && !edits.dragging);
   study_.find_verdict(state_);
   // What appears after a rest, such as a tooltip, is laid out in the next frame, as what an event changes is.
   const bool woken = now_s_ >= controls_wake_s_;
@@ -183,7 +204,8 @@ void App::frame(const FrameInput& input) {
   const bool event = input.played.any || !input.dropped.empty();
   settle_frames_ = event || woken ? k_settle_frames : settle_frames_ - 1;
   plan_next_frame();
-  if (batch_pictures_ && batch_pictures_->unfinished()) next_frame_s_ = now_s_;
+  if ((batch_pictures_ && batch_pictures_->unfinished()) || (body_pictures_ && body_pictures_->unfinished()))
+    next_frame_s_ = now_s_;
 }
 
 bool App::takes_key(const KeyPress& press, bool typing) const {
@@ -267,7 +289,7 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   state_.reading = part.reading;
   state_.extremes = part.geometry->extremes;
   state_.path = part.path;
-  state_.features = std::move(part.features);
+  state_.features = part.features;
   pictures_.reset();
   state_.sweep_choices.compared.reset();
   turn_.stop();
@@ -276,12 +298,25 @@ void App::install(LoadedPart part, const PartNotes& notes) {
   state_.measuring.reset();
   state_.mold_choices = {};
   state_.draft_choices = {};
+  state_.hidden_bodies.clear();
+  if (part.reading.body == "all") {
+    const bool several = part.model->part.bodies.size() > 1;
+    state_.bodies.whole = several ? std::make_shared<const LoadedPart>(part) : nullptr;
+  } else if (const auto& whole = state_.bodies.whole;
+             whole && (whole->path != part.path || whole->reading != of_whole(part.reading))) {
+    state_.bodies.whole.reset();
+  }
+  const auto body = number_from<std::size_t>(part.reading.body);
+  state_.body = state_.bodies.whole && body ? std::optional(*body - 1) : std::nullopt;
   state_.revisions.hover.reset();
   file_watch_.watch(part.path);
   quick_sweep_due_ = state_.window.quick_sweep;
   options_.user.remember(part.path);
   state_.recent = options_.user.recent;
-  if (other_body) fit_frames_ = 3;
+  if (other_body) {
+    fitted_points_.clear();
+    fit_frames_ = 3;
+  }
   if (again) return;
 
   comparer_.leave(state_.revisions);
@@ -341,6 +376,7 @@ void App::apply(const Edits& edits) {
     settle_frames_ = k_settle_frames;
   }
   if (!state_.model) return;
+  if (state_.hidden_bodies != former.hidden_bodies) scene_->hide(state_.hidden_bodies);
   if (!(state_.draft_choices == former.draft_choices) ||
       !(state_.settings.required_draft == former.settings.required_draft))
     mark_faces();
@@ -393,6 +429,7 @@ void App::end_jobs() {
   measurer_.cancel();
   study_.cancel();
   comparer_.end_jobs();
+  body_verdicts_.cancel();
 }
 
 void App::save() {

@@ -16,6 +16,7 @@
 #include "gui/draw/imgui_session.hpp"
 #include "gui/draw/panel_layout.hpp"
 #include "gui/jobs/batch_table.hpp"
+#include "gui/jobs/body_verdicts.hpp"
 #include "gui/jobs/measurer.hpp"
 #include "gui/jobs/revision_comparer.hpp"
 #include "gui/jobs/study_finder.hpp"
@@ -126,6 +127,8 @@ class App {
   /// Of a part that is to be opened: those that were set, or saved for it.
   [[nodiscard]] PartNotes notes_of(const std::string& path);
   void install(LoadedPart part, const PartNotes& notes);
+  /// Texture of a body's picture; 0 where there is none yet.
+  [[nodiscard]] unsigned body_picture(std::size_t body);
   void pick();
   void apply(const Edits& edits);
   /// Replaces the direction in one step of undo.
@@ -203,8 +206,10 @@ class App {
   Measurer measurer_;
   StudyFinder study_;
   RevisionComparer comparer_;
+  BodyVerdicts body_verdicts_;
   WindowSweep sweep_;
   std::unique_ptr<BatchPictures> batch_pictures_;
+  std::unique_ptr<BodyPictures> body_pictures_;  // of the file's, once they are looked at
   std::unique_ptr<CandidatePictures> pictures_;  // of the sweep's result
   std::unique_ptr<Scene> scene_;
   std::unique_ptr<RevisionPicture> revision_;  // of the one that is prepared

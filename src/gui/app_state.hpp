@@ -45,6 +45,14 @@ struct Figures {
   std::string error = {};                        // why there are none
 };
 
+// Of bodies.
+
+/// The file as one part, where it has several bodies, and what is known of each as a part of its own.
+struct BodiesState {
+  std::shared_ptr<const LoadedPart> whole;       // null where the file has one, or one alone was read
+  std::vector<std::optional<Verdict>> verdicts;  // of each, along the direction; none while not known
+};
+
 // Of side actions.
 
 /// What the user does beside the settings; panels edit a copy of it.
@@ -184,6 +192,7 @@ struct Loading {
   JobStatus status;
   PartNotes notes;  // to be taken with the part, if it is another one
   bool batch = false;
+  double since_s = 0.0;
 };
 
 struct Toast {
@@ -226,8 +235,11 @@ struct Editable {
   MoldChoices mold_choices;
   DraftChoices draft_choices;
   RevisionChoices revision_choices;
-  std::optional<Measuring> measuring;  // the tool, while it is on
-  // Of the regions of the maps on the left from exact ones on the right: its place between the panels, [0, 1].
+  std::optional<std::size_t> body;      // of the whole file, that is looked at
+  std::set<std::size_t> hidden_bodies;  // of the whole file, in the picture
+  std::optional<Measuring> measuring;   // the tool, while it is on
+  // Of the regions of the maps on the left from exact ones on the right: its place between the panels, [0,
+  // 1].
   std::optional<double> divider;
   std::set<Hint> hints_done;
 };
@@ -239,6 +251,7 @@ struct AppState : Editable {
   std::string path;                        // of the part, absolute
   std::vector<FeatureDirection> features;
   std::vector<std::string> recent, shipped;  // parts to offer; paths
+  BodiesState bodies;
   Figures figures;
   SweepState sweep;
   ActionsState actions;

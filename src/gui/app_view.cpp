@@ -21,6 +21,12 @@ std::vector<unsigned> App::shipped_pictures(const Ui& ui) {
   return thumbnails_.textures();
 }
 
+unsigned App::body_picture(std::size_t body) {
+  if (!body_pictures_ || body_pictures_->of() != state_.bodies.whole)
+    body_pictures_ = std::make_unique<BodyPictures>(*context_, state_.bodies.whole);
+  return body_pictures_->texture(body, state_.window.theme, scale_);
+}
+
 void App::follow_figures() {
   const auto& shown = state_.figures.shown;
   if (!shown || followed_ == state_.figures.revision) return;

@@ -47,6 +47,10 @@ struct Commands {
   void look_at_undercuts();
   /// Flies to the largest mark that counts as no undercut, and says why it is none.
   void look_at_speck();
+  /// Flies to a body of the file; where one is molded, this one is from now on.
+  void look_at_body(std::size_t body);
+  /// Hides all others.
+  void isolate_body(std::size_t body);
   /// The same for one undercut of the plan of side actions.
   void look_at_undercut(std::size_t undercut);
   /// And for one loop of the parting line.

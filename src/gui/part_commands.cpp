@@ -116,6 +116,31 @@ void Commands::look_at_undercut(std::size_t undercut) {
   app.look_at(std::move(alone), surroundings(app.state_, undercut));
 }
 
+void Commands::look_at_body(std::size_t body) {
+  const auto& whole = app.state_.bodies.whole;
+  if (!whole || body >= whole->model->part.bodies.size()) return;
+  if (app.state_.reading.body != "all") {
+    ReadOptions reading = app.state_.reading;
+    reading.body = std::to_string(body + 1);
+    return app.load(app.state_.path, reading, {});
+  }
+  const Body& found = whole->model->part.bodies[body];
+  app.fitted_points_.clear();
+  for (FacetIndex k = 0; k < found.facet_count; ++k)
+    for (const VertexIndex corner : whole->geometry->facets[found.first_facet + k])
+      app.fitted_points_.push_back(whole->geometry->vertices[corner].position);
+  app.turn_camera(app.state_.camera.orientation);
+}
+
+void Commands::isolate_body(std::size_t body) {
+  std::set<std::size_t>& hidden = app.state_.hidden_bodies;
+  hidden.clear();
+  for (std::size_t k = 0; k < app.state_.bodies.whole->model->part.bodies.size(); ++k)
+    if (k != body) hidden.insert(k);
+  app.scene_->hide(hidden);
+  look_at_body(body);
+}
+
 void Commands::toggle_projection() {
   Projection& projection = app.state_.camera.projection;
   projection = projection == Projection::orthographic ? Projection::perspective : Projection::orthographic;
@@ -154,6 +179,8 @@ void Commands::choose_face(const std::optional<FacetIndex>& facet) {
   chosen = face ? std::optional(ChosenFace{*face, {}}) : std::nullopt;
   app.mark_faces();
   app.measure_face();
+  if (facet && app.state_.bodies.whole && app.state_.reading.body == "all")
+    app.state_.body = body_of(app.state_.model->part, *facet);
 }
 
 void Commands::take_picture() {

@@ -1,6 +1,12 @@
-// The Part panel: the draft that is required, the unit, and the body that is molded.
+// The Part panel: the bodies of the file as a tree, of which one is molded, and the unit.
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
 #include <fmt/format.h>
 
+#include "base/stopwatch.hpp"
+#include "classify/part_model.hpp"
 #include "gui/store/part_notes.hpp"
 #include "gui/window_with_part.hpp"
 #include "support/boxes.hpp"
@@ -42,58 +48,163 @@ class Bodies : public WindowWithPart {
     window.settle();
   }
   [[nodiscard]] double area() const { return state().figures.shown->total_area; }
+  /// On so many bodies at least; 0: on all.
+  void wait_for_verdicts(std::ptrdiff_t least = 0) {
+    const moldlight::Stopwatch stopwatch;
+    const auto& found = state().bodies.verdicts;
+    const auto all = static_cast<std::ptrdiff_t>(found.size());
+    const auto known = [](const std::optional<Verdict>& verdict) { return verdict.has_value(); };
+    while (std::ranges::count_if(found, known) < (least > 0 ? least : all)) {
+      window.frame();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      ASSERT_LT(stopwatch.elapsed_ms(), 60'000.0);
+    }
+    window.settle();
+  }
 };
 
-TEST_F(Bodies, AreGoneThroughOneByOne) {
+TEST_F(Bodies, AreATreeWithTheirNamesAndVerdicts) {
   wait();
   EXPECT_EQ(area(), 6.0 + 24.0 + 54.0) << "all as one part";
-  click("next body");
+  wait_for_verdicts();
+  for (const char* text : {"All 3 bodies as one part", "one", "two", "three"})
+    EXPECT_TRUE(std::ranges::any_of(window.app().texts(), [&](const DrawnText& drawn) {
+      return drawn.text == text;
+    })) << text;
+  ASSERT_EQ(state().bodies.verdicts.size(), 3U);
+  for (const auto& verdict : state().bodies.verdicts)
+    EXPECT_EQ(verdict->sentence, "Two-plate mold: no undercut.");
+}
+
+TEST_F(Bodies, AreMoldedOneOrAllWithoutReadingTheFileAgain) {
+  wait();
+  const Part* const whole = &state().bodies.whole->model->part;
+  click("body 1");
+  EXPECT_EQ(state().reading.body, "all") << "it is looked at";
+  click("Mold this one");
   wait();
   EXPECT_EQ(area(), 6.0);
+  EXPECT_EQ(state().model->part.bodies[0].name, "one");
+  EXPECT_EQ(state().body, 0U);
   const Camera camera = state().camera;
   key({.key = 'F'});
   EXPECT_EQ(state().camera, camera) << "it fills the picture";
-  click("next body");
+  click("body 3");
   wait();
-  EXPECT_EQ(area(), 24.0);
-  click("previous body");
-  click("previous body");
+  EXPECT_EQ(area(), 54.0) << "another one is a click away";
+  EXPECT_EQ(&state().bodies.whole->model->part, whole);
+  click("all bodies");
   wait();
-  EXPECT_EQ(area(), 84.0) << "two clicks without waiting";
-  click("previous body");
-  wait();
-  EXPECT_EQ(area(), 54.0) << "before all comes the last";
+  EXPECT_EQ(area(), 84.0);
+  EXPECT_EQ(&state().model->part, whole) << "as it was";
 }
 
-TEST_F(Bodies, AreChosenFromAList) {
-  click("body");
-  window.settle();
-  click("body 2");
+TEST_F(Bodies, AreTheSameAsThoseThatAreReadAlone) {
   wait();
-  EXPECT_EQ(area(), 24.0);
-  EXPECT_EQ(state().model->part.bodies[0].name, "two");
+  click("body 2");
+  click("Mold this one");
+  wait();
+  ReadOptions alone;
+  alone.body = "2";
+  const auto read = load_part(state().path, alone, Progress());
+  EXPECT_EQ(state().model->part.mesh.facets, read->part.mesh.facets);
+  EXPECT_EQ(state().model->part.mesh.vertices, read->part.mesh.vertices);
+  EXPECT_EQ(state().model->part.file_facets, read->part.file_facets);
+  EXPECT_EQ(state().reading, alone);
+}
+
+TEST_F(Bodies, AreHiddenAndIsolatedInThePicture) {
+  wait();
+  const std::vector<std::uint8_t> all = window.pixels();
+  const auto differing = [&] {
+    std::size_t count = 0;
+    const std::vector<std::uint8_t> now = window.pixels();
+    for (int y = 60; y < 600; ++y)
+      for (int x = 300; x < 980; ++x) {
+        const std::size_t at = 4 * (static_cast<std::size_t>(y) * 1280 + static_cast<std::size_t>(x));
+        if (std::abs(int{now[at]} - int{all[at]}) > 24) ++count;
+      }
+    return count;
+  };
+  click("hide 3");
+  move_to({640, 60});
+  window.settle();
+  EXPECT_EQ(state().hidden_bodies, (std::set<std::size_t>{2}));
+  EXPECT_GT(differing(), 2'000U) << "the largest is gone";
+  click("hide 3");
+  move_to({640, 60});
+  window.settle();
+  EXPECT_LT(differing(), 50U);
+  click("body 2");
+  click("Isolate");
+  window.settle();
+  EXPECT_EQ(state().hidden_bodies, (std::set<std::size_t>{0, 2}));
+  // It fills the picture, and is what a click there means.
+  click("body 1");
+  EXPECT_EQ(state().body, 0U);
+  key({.key = k_escape});
+  click("body 2");
+  window.settle();
+  move_to({640, 390});
+  press();
+  EXPECT_EQ(state().body, 1U);
+  click("Show all");
+  EXPECT_TRUE(state().hidden_bodies.empty());
+  EXPECT_EQ(area(), 84.0) << "only the picture was without them";
 }
 
 TEST_F(Bodies, OfOneFileAreNotLookedForInAnother) {
-  click("next body");
+  wait();
+  click("body 1");
+  click("Mold this one");
   wait();
   window.app().open(part.file());
   wait();
   EXPECT_EQ(state().path, part.file());
   EXPECT_EQ(state().model->part.chosen_body, 0U);
-  EXPECT_FALSE(window.app().controls().contains("next body")) << "one body is no choice";
+  EXPECT_FALSE(window.app().controls().contains("all bodies")) << "one body is no choice";
 }
 
 TEST_F(Bodies, KeepDirectionAndDraft) {
+  wait();
   slide("Near-vertical below", 0.5F);
   const double tau = method().tau_deg;
   enter(Step::direction);
   click("+X");
   enter(Step::part);
-  click("next body");
+  click("body 1");
+  click("Mold this one");
   wait();
   EXPECT_EQ(method().tau_deg, tau);
   EXPECT_EQ(direction(), glm::dvec3(1, 0, 0));
+}
+
+TEST_F(Bodies, AreAtHandAtOnceIfThereAreAThousand) {
+  std::string text;
+  int vertices = 0;
+  for (int n = 0; n < 1000; ++n) {
+    const glm::dvec3 low(3 * (n % 10), 3 * (n / 10 % 10), 3 * (n / 100));
+    const auto corners = moldlight::test::box_corners(low, low + glm::dvec3(1 + n % 2));
+    text += fmt::format("o body_{}\n", n + 1);
+    for (const glm::dvec3& corner : corners)
+      text += fmt::format("v {} {} {}\n", corner.x, corner.y, corner.z);
+    for (std::size_t k = 0; k < corners.size(); k += 3, vertices += 3)
+      text += fmt::format("f {} {} {}\n", vertices + 1, vertices + 2, vertices + 3);
+  }
+  window.app().open(part.folder().write("thousand.obj", text));
+  wait();
+  ASSERT_EQ(state().bodies.verdicts.size(), 1000U);
+  click("body 2");
+  const moldlight::Stopwatch stopwatch;
+  click("Mold this one");
+  while (state().reading.body != "2" || !state().figures.shown || state().figures.stale) {
+    window.frame();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    ASSERT_LT(stopwatch.elapsed_ms(), 3'000.0);
+  }
+  std::printf("one of 1,000 bodies: %.0f ms\n", stopwatch.elapsed_ms());
+  EXPECT_EQ(area(), 24.0);
+  wait_for_verdicts(20);
 }
 
 TEST_F(WindowWithPart, AUnitIsNamedAndThenConvertsNothing) {

@@ -71,6 +71,8 @@ const std::vector<IconStroke>& strokes() {
       {exchange, line, {{0.4F, -0.7F}, {0.75F, -0.35F}, {0.4F, 0.0F}}},
       {exchange, line, {{0.8F, 0.4F}, {-0.75F, 0.4F}}},
       {exchange, line, {{-0.4F, 0.05F}, {-0.75F, 0.4F}, {-0.4F, 0.75F}}},
+      {eye, loop, {{-0.85F, 0}, {-0.4F, -0.42F}, {0.4F, -0.42F}, {0.85F, 0}, {0.4F, 0.42F}, {-0.4F, 0.42F}}},
+      {eye, dot, {{0, 0}, {0.24F, 0}}},
       {sphere, circle, {{0, 0}, {0.8F, 0}}},
       {sphere, line, {{-0.8F, 0}, {-0.55F, 0.19F}, {-0.2F, 0.27F}, {0.2F, 0.27F}, {0.55F, 0.19F}, {0.8F, 0}}},
   };

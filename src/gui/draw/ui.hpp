@@ -97,6 +97,7 @@ enum class Icon : std::uint8_t {
   sphere,
   revisions,
   exchange,
+  eye,
 };
 
 /// Draws the icon into a square of `size` pixels around `centre`.

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "mesh/place_order.hpp"
 #include "sweep/candidates/find_candidates.hpp"
 
 namespace moldlight::gui {
@@ -41,6 +42,22 @@ LoadedPart load_for_window(const std::string& path, const ReadOptions& options, 
   LoadedPart loaded = pictured_part(path, options, load_part(path, options, progress), progress);
   loaded.features = feature_directions(*loaded.model, progress);
   progress.report("ready", 1.0);
+  return loaded;
+}
+
+std::shared_ptr<const PartModel> body_model(const PartModel& whole, std::size_t body,
+                                            const Progress& progress) {
+  Part part = extract_body(whole.part, body);
+  part.effort = whole.part.effort;
+  put_in_place_order(part, progress);
+  return prepare_part(std::move(part), progress);
+}
+
+LoadedPart loaded_body(const LoadedPart& whole, std::size_t body, const Progress& progress) {
+  ReadOptions reading = whole.reading;
+  reading.body = std::to_string(body + 1);
+  LoadedPart loaded = pictured_part(whole.path, reading, body_model(*whole.model, body, progress), progress);
+  loaded.features = feature_directions(*loaded.model, progress);
   return loaded;
 }
 

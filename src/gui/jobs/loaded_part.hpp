@@ -2,6 +2,7 @@
 // while Ctrl is held.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,9 +35,21 @@ struct LoadedPart {
 [[nodiscard]] LoadedPart load_for_window(const std::string& path, const ReadOptions& options,
                                          const Progress& progress);
 
+/// A body of a part, by its place among them, as reading it alone would give it. Throws Cancelled.
+[[nodiscard]] std::shared_ptr<const PartModel> body_model(const PartModel& whole, std::size_t body,
+                                                          const Progress& progress);
+/// The same ready for the window, without reading the file again.
+[[nodiscard]] LoadedPart loaded_body(const LoadedPart& whole, std::size_t body, const Progress& progress);
+
 /// A part that is in memory, without the directions. Throws Cancelled.
 [[nodiscard]] LoadedPart pictured_part(const std::string& path, const ReadOptions& options,
                                        std::shared_ptr<const PartModel> part, const Progress& progress);
+
+/// The body that has the facet, by its place among them.
+[[nodiscard]] inline std::size_t body_of(const Part& part, FacetIndex facet) {
+  const auto after = std::ranges::upper_bound(part.bodies, facet, {}, &Body::first_facet);
+  return static_cast<std::size_t>(after - part.bodies.begin()) - 1;
+}
 
 /// The nearest feature or its opposite, however far; the direction itself where there is no feature.
 [[nodiscard]] glm::dvec3 snapped_to(const std::vector<FeatureDirection>& features,

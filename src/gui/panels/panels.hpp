@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include "classify/number_format.hpp"
 #include "gui/app_state.hpp"
 #include "gui/commands.hpp"
+#include "gui/draw/bottom_panel.hpp"
 #include "gui/draw/panel_layout.hpp"
 #include "gui/view/direction.hpp"
 
@@ -27,6 +29,9 @@ struct PanelContext {
   /// What the panels leave free.
   [[nodiscard]] FreeArea free_area() const { return layout.free_area(state.dialogs.panels_hidden); }
 };
+
+/// The texture of a picture by its place; 0 where there is none yet.
+using PictureOf = std::function<unsigned(std::size_t)>;
 
 /// What the ball remembers while it is dragged.
 struct BallDrag {
@@ -54,7 +59,8 @@ void draw_direction_fields(const PanelContext& context);
 /// The ball with all that is on it, as an item of the window that is open; `size` in pixels.
 void draw_ball(const PanelContext& context, BallDrag& drag, float size);
 /// What the file has, and what is asked of its facets: into the panel that is open.
-void draw_part_controls(const PanelContext& context);
+/// `bodies`: small pictures of those of the file.
+void draw_part_controls(const PanelContext& context, RowCursor& cursor, const PictureOf& bodies);
 void draw_look_panel(const PanelContext& context);
 /// The colours of the draft angles with their limits.
 void draw_draft_key(const PanelContext& context);
@@ -158,6 +164,7 @@ struct VerdictCard {
   [[nodiscard]] VerdictLight light() const;
 };
 [[nodiscard]] VerdictCard verdict_card(const AppState& state);
+[[nodiscard]] ImU32 light_colour(VerdictLight light);
 
 /// "1 slide, 2 lifters · 49.2 mm² unreleased"; what comes of the plan of side actions.
 [[nodiscard]] std::string actions_summary(const AppState& state);

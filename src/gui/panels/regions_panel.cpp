@@ -177,6 +177,8 @@ void draw_next(const PanelContext& context, const VerdictCard& card) {
 
 }  // namespace
 
+ImU32 light_colour(VerdictLight light) { return k_lights[static_cast<std::size_t>(light)]; }
+
 void draw_regions_panel(const PanelContext& context) {
   const Ui& ui = context.ui;
   const Figures& figures = context.state.figures;
@@ -258,8 +260,7 @@ void draw_verdict(const PanelContext& context) {
   tooltip(ui, "Verdict", tooltip_text(verdict));
   if (sentence.clicked) show_undercuts(context);
   const glm::vec2 middle = at + glm::vec2(ui.px(12), ui.px(11));
-  list.AddCircleFilled(middle, ui.px(verdict.good() ? 8 : 6),
-                       faded(k_lights[static_cast<std::size_t>(verdict.light())], alpha));
+  list.AddCircleFilled(middle, ui.px(verdict.good() ? 8 : 6), faded(light_colour(verdict.light()), alpha));
   if (verdict.good()) draw_icon(list, Icon::check, middle, ui.px(10), IM_COL32_WHITE);
   for (std::size_t k = 0; k < lines.size(); ++k)
     draw_text(list, {ui.fonts.strong, faded(ui.colours->text, alpha)},

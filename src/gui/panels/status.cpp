@@ -60,6 +60,11 @@ void draw_loading(const PanelContext& context) {
   if (!context.state.loading) return;
   const Ui& ui = context.ui;
   const Loading& loading = *context.state.loading;
+  constexpr double k_at_once_s = 0.3;  // what is there sooner is not announced
+  if (context.state.model && ui.now_s - loading.since_s < k_at_once_s) {
+    ui.memory->wake_s = std::min(ui.memory->wake_s, loading.since_s + k_at_once_s);
+    return;
+  }
   place_window(glm::vec2(0.5F, 0.62F) * screen_size(), {0.5F, 0.5F});
   ImGui::Begin("Loading", nullptr, k_card_window);
   const float width = ui.px(320);

@@ -101,12 +101,18 @@ struct StepBadge {
 
 class StepPanels;
 
+/// What steps have pictures of.
+struct StepPictures {
+  std::span<const unsigned> candidates;  // the sweep's directions
+  PictureOf bodies;                      // of the file
+};
+
 struct StepRow {
   Step step;
   std::string_view title;
   std::string_view help;  // what it is for
   StepBadge (*badge)(const AppState& state);
-  void (*panel)(StepPanels& panels, const PanelContext& context, std::span<const unsigned> candidates);
+  void (*panel)(StepPanels& panels, const PanelContext& context, const StepPictures& pictures);
 };
 /// In the order of the strip.
 [[nodiscard]] const std::array<StepRow, 7>& step_rows();
@@ -114,12 +120,12 @@ struct StepRow {
 /// The panel on the left, with the controls of the step that is open.
 class StepPanels {
  public:
-  /// `candidates`: pictures of the sweep's directions.
-  void draw(const PanelContext& context, std::span<const unsigned> candidates);
+  void draw(const PanelContext& context, const StepPictures& pictures);
   /// What the step has along the bottom.
   void draw_below(const PanelContext& context, std::span<const unsigned> candidates);
   void give_up_drag() { ball.active = false; }
 
+  RowCursor bodies;
   BallDrag ball;
   SweepPanel sweep;
   TableBar actions, line, mold;

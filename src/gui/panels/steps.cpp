@@ -64,7 +64,7 @@ StepBadge mold_badge(const AppState& state) {
   return {Kind::tick, {}, "The halves are made, and their check has passed."};
 }
 
-using Pictures = std::span<const unsigned>;
+using Pictures = const StepPictures&;
 
 /// Beside the number and the title.
 float badge_width(const Ui& ui, const StepBadge& badge) {
@@ -128,11 +128,13 @@ void draw_place(const PanelContext& context, const StepPlace& place) {
 const std::array<StepRow, 7>& step_rows() {
   static const std::array<StepRow, 7> k_rows = {{
       {Step::part, "Part", "The file, its unit and the body that is molded.", part_badge,
-       [](StepPanels&, const PanelContext& context, Pictures) { draw_part_controls(context); }},
+       [](StepPanels& panels, const PanelContext& context, Pictures pictures) {
+         draw_part_controls(context, panels.bodies, pictures.bodies);
+       }},
       {Step::direction, "Direction", "Direction in which the mold opens.", direction_badge,
-       [](StepPanels& panels, const PanelContext& context, Pictures candidates) {
+       [](StepPanels& panels, const PanelContext& context, Pictures pictures) {
          draw_direction_controls(context, panels.ball);
-         panels.sweep.draw(context, candidates);
+         panels.sweep.draw(context, pictures.candidates);
        }},
       {Step::undercuts, "Undercuts", "Undercuts, and the side actions that release them.", undercuts_badge,
        [](StepPanels& panels, const PanelContext& context, Pictures) {
@@ -167,7 +169,7 @@ void draw_strip(const PanelContext& context) {
   }
 }
 
-void StepPanels::draw(const PanelContext& context, std::span<const unsigned> candidates) {
+void StepPanels::draw(const PanelContext& context, const StepPictures& pictures) {
   const StepRow& row = step_rows()[static_cast<std::size_t>(context.state.step)];
   if (context.layout.begin(context.ui, "Step", row.title.data())) {
     // Two revisions have their own direction, and changes in place of undercuts.
@@ -175,7 +177,7 @@ void StepPanels::draw(const PanelContext& context, std::span<const unsigned> can
     if (compares && row.step != Step::part && row.step != Step::direction) {
       hint(context.ui, "Two revisions are compared. Leave the comparison (Ctrl+D) for this step.");
     } else {
-      row.panel(*this, context, candidates);
+      row.panel(*this, context, pictures);
     }
   }
   context.layout.end();

@@ -44,7 +44,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   if (!dialogs.panels_hidden) {
     draw_top_bar(context);
     if (context.state.model) {
-      steps_.draw(context, textures.candidates);
+      steps_.draw(context, {textures.candidates, textures.bodies});
       draw_regions_panel(context);
       draw_look_panel(context);
       draw_maps_drawer(context, textures.maps);

@@ -157,6 +157,7 @@ class Workspace {
     MapTextures maps;
     std::span<const unsigned> shipped_parts;
     std::vector<unsigned> candidates;  // of the sweep, one each; 0 for none yet
+    PictureOf bodies;
     BatchPicture batch;
   };
   void draw(const PanelContext& context, const Textures& textures);

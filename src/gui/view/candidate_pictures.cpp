@@ -112,6 +112,48 @@ unsigned BatchPictures::texture(const Digest& key) {
   return texture.name();
 }
 
+BodyPictures::BodyPictures(const gl::Context& context, std::shared_ptr<const LoadedPart> whole)
+    : context_(&context),
+      whole_(std::move(whole)),
+      buffers_(context.functions(), {.mesh = whole_->model->part.mesh,
+                                     .geometry = whole_->model->geometry,
+                                     .frame = whole_->model->frame,
+                                     .concave_edges = {}}),
+      view_(context.functions(), *whole_->geometry) {}
+
+unsigned BodyPictures::texture(std::size_t body, Theme theme, float scale) {
+  const glm::ivec2 size(glm::round(k_size * scale));
+  if (size != size_ || theme != theme_) {
+    pictures_.clear();
+    pictures_.resize(whole_->model->part.bodies.size());
+    size_ = size;
+    theme_ = theme;
+  }
+  auto& picture = pictures_[body];
+  if (picture) return picture->texture();
+  if (++asked_ > 1) return 0;
+  const Body& found = whole_->model->part.bodies[body];
+  std::vector<std::uint8_t> hidden(whole_->geometry->facets.size(), 1);
+  std::fill_n(hidden.begin() + found.first_facet, found.facet_count, std::uint8_t{0});
+  const ViewGeometry alone = shown_part(*whole_->geometry, hidden);
+  view_.set_geometry(alone);
+  std::vector<glm::vec3> points;
+  for (const auto& facet : alone.facets)
+    for (const VertexIndex corner : facet)
+      if (facet[0] != facet[1]) points.push_back(alone.vertices[corner].position);
+  View view;
+  view.camera.orientation = standard_orientation(StandardView::isometric);
+  view.camera = fitted(view.camera, points, size, k_candidate_fill);
+  view.settings.theme = theme;
+  view.settings.colour_mode = ColourMode::plain;
+  view.settings.backdrop = Backdrop::none;
+  view.settings.arrows = view.settings.feature_edges = false;
+  view.settings.samples = 4;
+  picture.emplace(context_->functions(), size);
+  view_.draw_final({.framebuffer = picture->framebuffer(), .size = size}, {.part = buffers_}, view);
+  return picture->texture();
+}
+
 SplitView split_view_of(const Camera& camera, const glm::ivec2& window, std::size_t candidate, int side) {
   SplitView split{.candidate = candidate, .left = window.x / 2, .size = {}, .camera = camera};
   split.size = {window.x - split.left, window.y};

@@ -70,6 +70,33 @@ class BatchPictures {
   int read_ = 0;  // asked for in this frame
 };
 
+/// Small pictures of the bodies of a file. Needs its context current at every call.
+class BodyPictures {
+ public:
+  BodyPictures(const gl::Context& context, std::shared_ptr<const LoadedPart> whole);
+
+  /// One picture is drawn in a frame; call it at the frame's beginning.
+  void begin_frame() { asked_ = 0; }
+  /// 0 while it is not there yet. `scale`: pixels per layout unit.
+  [[nodiscard]] unsigned texture(std::size_t body, Theme theme, float scale);
+  /// True if one was asked for in this frame that another frame is to draw.
+  [[nodiscard]] bool unfinished() const { return asked_ > 1; }
+  [[nodiscard]] const std::shared_ptr<const LoadedPart>& of() const { return whole_; }
+
+  /// Layout units.
+  static constexpr glm::vec2 k_size{48.0F, 36.0F};
+
+ private:
+  const gl::Context* context_;
+  std::shared_ptr<const LoadedPart> whole_;
+  PartBuffers buffers_;
+  PartView view_;
+  PictureTargets pictures_;
+  Theme theme_ = Theme::dark;
+  glm::ivec2 size_{0};
+  int asked_ = 0;  // in this frame, and not there
+};
+
 /// What the window shows beside its own picture when two directions are compared.
 struct SplitView {
   std::size_t candidate = 0;

@@ -1,5 +1,7 @@
 #include "gui/view/scene.hpp"
 
+#include <algorithm>
+
 #include "classify/classifier.hpp"
 
 namespace moldlight::gui {
@@ -11,6 +13,7 @@ Scene::Scene(const gl::Context& context, const LoadedPart& part)
       part_(part),
       maps_(context, part.model),
       view_(context.functions(), *part.geometry),
+      shown_(part.geometry),
       tools_(context.functions()),
       sections_(part.model->part.mesh, part.model->frame) {
   view_.set_faces(part_.faces->of_facet);
@@ -24,7 +27,7 @@ bool Scene::draw(const ViewTarget& target, const SceneSettings& settings) {
                          .settings = map_settings(method, part_.model->frame.diagonal)};
   if (settings.split != split_) {
     split_ = settings.split;
-    split_ ? maps_.take_split(*split_, *part_.geometry, query) : maps_.drop_split();
+    split_ ? maps_.take_split(*split_, *shown_, query) : maps_.drop_split();
   }
   // Coarse maps do until the split mesh is there, which comes at once.
   const bool fine = settings.maps_looked_at && !settings.direction_moves;
@@ -73,6 +76,18 @@ void Scene::mark_blocking(const std::optional<std::uint32_t>& face) {
   }
   view_.set_marked_lines(MarkedLines::blocking, outline);
   view_.set_veiled_surface(vertices, triangles);
+}
+
+void Scene::hide(const std::set<std::size_t>& bodies) {
+  std::vector<std::uint8_t> hidden(part_.geometry->facets.size(), 0);
+  for (const std::size_t k : bodies) {
+    const Body& body = part_.model->part.bodies[k];
+    std::fill_n(hidden.begin() + body.first_facet, body.facet_count, std::uint8_t{1});
+  }
+  shown_ = bodies.empty() ? part_.geometry
+                          : std::make_shared<const ViewGeometry>(shown_part(*part_.geometry, hidden));
+  view_.set_geometry(*shown_);
+  split_.reset();  // to be taken anew
 }
 
 void Scene::mark_faces(std::span<const std::uint32_t> faces) {

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,8 @@ class Scene {
   /// Draws over the whole target, which is bound afterwards. Returns true while drawing the same again would
   /// refine the picture.
   bool draw(const ViewTarget& target, const SceneSettings& settings);
+  /// Leaves these bodies out of the picture, and no others; regions stay as they are.
+  void hide(const std::set<std::size_t>& bodies);
   /// Marks these faces alone.
   void mark_faces(std::span<const std::uint32_t> faces);
   /// Marks what is in a point's way, and the way there; and the span in a section.
@@ -88,6 +91,7 @@ class Scene {
   LoadedPart part_;
   PictureMaps maps_;
   PartView view_;
+  std::shared_ptr<const ViewGeometry> shown_;  // of the part, without what is hidden
   gl::Tools tools_;
   SectionPlanes sections_;
   std::shared_ptr<const SplitMesh> split_;  // the one that was given to the maps
