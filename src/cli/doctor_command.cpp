@@ -52,7 +52,7 @@ int run(const DoctorFlags&, Console& console, const Progress& progress) {
   const auto step = step_reading_program();
   console.result(
       line("STEP", step ? "✓ " + *step : "✗ moldlight-step is not there; STEP files cannot be read"));
-  const std::string font = gui::find_interface_font(false).path;
+  const std::string font = find_interface_font(false).path;
   console.result(line("font", font.empty() ? "✗ none; install fonts-inter or fonts-roboto" : "✓ " + font));
   if (!draws) console.warning("no driver draws: regions and sweeps work, but no pictures and no window");
   return draws ? 0 : k_failure;

@@ -28,9 +28,11 @@
 #include "gui/view/candidate_pictures.hpp"
 #include "gui/view/direction.hpp"
 #include "gui/view/motion.hpp"
+#include "gui/view/presentation.hpp"
 #include "gui/view/revision_view.hpp"
 #include "gui/view/side_actions.hpp"
 #include "gui/view/viewport.hpp"
+#include "io/film.hpp"
 
 namespace moldlight::gui {
 
@@ -72,6 +74,9 @@ class App {
 
   /// Whether what to do next is shown at the things themselves; only where the window asks for it.
   void show_hints(bool shown) { state_.shows_hints = shown; }
+
+  /// Where nobody has seen it yet, opens the shipped lid with a tour of the window; never again after that.
+  void offer_tour();
 
   /// Readies fonts and style; then ImGui gets the frame's input, then frame() does the rest.
   void prepare(const FrameInput& input);
@@ -177,6 +182,17 @@ class App {
   }
   /// How far apart the parting arrows stand, as an opened mold moves them: out of its steel.
   [[nodiscard]] double arrows_apart(double open) const;
+  /// What is seen of the mold that is so far open; `steel`: with its block.
+  [[nodiscard]] std::vector<glm::vec3> points_shown(double open, bool steel) const;
+  // app_present.cpp: the presentation, and the film of it.
+  [[nodiscard]] Presentation made_presentation() const;
+  void present();
+  void end_presenting();
+  void go_on_presenting();
+  void add_to_film(const ViewTarget& target);
+  void finish_film();
+  /// How far the mold is open in this frame, in all that it moves.
+  [[nodiscard]] double open_now() const { return presentation_ ? presented_.open : opening_.at(now_s_); }
   /// How far the mold is opened in this frame.
   [[nodiscard]] OpenedMold opened() const;
   /// How far the mold is to be open: closed where revisions are compared.
@@ -225,6 +241,15 @@ class App {
     std::shared_ptr<const MoldLine> line;    // of the loop
   };
   std::optional<Before> before_revisions_;
+  static constexpr int k_film_rate = 12;  // pictures a second
+  std::optional<Presentation> presentation_;
+  double presented_last_s_ = 0.0;
+  Moment presented_;                     // in this frame
+  std::optional<Camera> camera_before_;  // the presentation
+  std::unique_ptr<Film> film_;           // of the presentation that runs
+  std::string film_path_;
+  glm::ivec2 film_size_{0};
+  bool film_waits_ = false;
   Flight<Camera> flight_;
   Flight<glm::dvec3> turn_;
   std::optional<Camera> fitted_;  // where the last fit leads

@@ -11,16 +11,17 @@
 
 #include "base/job.hpp"
 #include "classify/settings.hpp"
+#include "classify/surface_facts.hpp"
 #include "gui/jobs/loaded_part.hpp"
 #include "gui/jobs/revision_state.hpp"
 #include "gui/store/part_notes.hpp"
 #include "gui/store/user_state.hpp"
-#include "gui/view/surface.hpp"
-#include "mold/direction_field.hpp"
 #include "render/camera.hpp"
 #include "render/view_geometry.hpp"
+#include "report/report.hpp"
 #include "study/study.hpp"
 #include "sweep/direction_cards.hpp"
+#include "sweep/sweep_map.hpp"
 
 namespace moldlight::gui {
 
@@ -163,19 +164,6 @@ struct SweepProgress {
   bool ending = false;  // cancelled; what is done is being gathered
 };
 
-/// Every direction scored so far. Grows while the sweep runs.
-struct SweepMap {
-  explicit SweepMap(double reach_deg) : field(reach_deg) {}
-
-  std::vector<EvaluatedDirection> evaluated;
-  DirectionField field;
-  double worst = 0.0;  // greatest undercut area
-
-  void add(const EvaluatedDirection& direction);
-  /// The evaluated direction, or opposite of one, that is nearest; none within `reach_deg`: null.
-  [[nodiscard]] const EvaluatedDirection* nearest(const glm::dvec3& direction, double reach_deg) const;
-};
-
 struct SweepState {
   std::optional<SweepProgress> running;
   std::optional<SweepMap> map;
@@ -202,6 +190,13 @@ struct Toast {
   double until_s = 0.0;
 };
 
+/// Of a presentation that runs.
+struct Presented {
+  std::string caption;
+  double time_s = 0.0, share = 0.0;  // since it began, of the whole
+  bool paused = false, recording = false;
+};
+
 /// Which dialogs are open.
 struct Dialogs {
   bool panels_hidden = false, help = false, settings = false, browser = false, exporting = false,
@@ -211,6 +206,7 @@ struct Dialogs {
   std::optional<bool> large_map;       // true: of +d
   std::optional<std::string> picture;  // to be saved, with the path that is proposed
   std::optional<bool> finishes;        // true: to be saved; false: to be loaded
+  std::optional<int> film;             // to be made: a GIF, or 1: an MP4
 
   /// All closed.
   [[nodiscard]] Dialogs none() const {
@@ -219,6 +215,13 @@ struct Dialogs {
     return closed;
   }
   bool operator==(const Dialogs&) const = default;
+};
+
+/// Of the tour through the window: where it is, and since when.
+struct Tour {
+  std::size_t stop = 0;
+  double since_s = 0.0;
+  bool operator==(const Tour&) const = default;
 };
 
 /// What panels, mouse and keys change: they edit a copy of it, which the app takes over after the frame.
@@ -242,6 +245,7 @@ struct Editable {
   // 1].
   std::optional<double> divider;
   std::set<Hint> hints_done;
+  std::optional<Tour> tour;
 };
 
 struct AppState : Editable {
@@ -266,6 +270,8 @@ struct AppState : Editable {
   std::optional<Loading> loading;
   std::optional<JobStatus> exporting;  // files are being written
   std::vector<Toast> toasts;
+  std::optional<Presented> presented;  // then nothing else is on the screen
+  std::vector<report::Picture> views;  // that the report is to have
   bool can_undo = false, can_redo = false;
   bool shows_hints = false;   // to newcomers
   bool notes_beside = false;  // settings and bookmarks are saved beside the part

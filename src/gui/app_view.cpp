@@ -13,6 +13,7 @@
 namespace moldlight::gui {
 
 constexpr float k_names_height = 32.0F;  // of two revisions, layout units
+constexpr int k_film_samples = 4;        // of each of its pictures
 constexpr double k_resting_share = 0.5;  // of its travel, at which a body stands where nothing moves
 
 std::vector<unsigned> App::shipped_pictures(const Ui& ui) {
@@ -79,7 +80,9 @@ void App::find_mold(bool moving) {
   const auto solids = mold.solids;
   const auto by_action = mold.by_action;
   const std::size_t pieces = mold.pieces.size();
-  study_.find_mold(state_, mold, {.moving = moving, .solids = steel_wanted() || is_at(state_, Step::mold)});
+  study_.find_mold(
+      state_, mold,
+      {.moving = moving, .solids = steel_wanted() || is_at(state_, Step::mold) || presentation_});
   if (mold.line == former && mold.solids == solids && mold.by_action == by_action &&
       mold.pieces.size() == pieces)
     return;
@@ -93,7 +96,7 @@ bool App::steel_wanted() const {
   const LookSettings& look = state_.settings.look;
   if (!state_.model || state_.window.halves == HalvesLook::surface || split_view() || shown_pieces(state_))
     return false;
-  return look.open_mold > 0.0 || opening_.at(now_s_) > 0.0 ||
+  return look.open_mold > 0.0 || open_now() > 0.0 ||
          (is_at(state_, Step::mold) && look.section != Section::off);
 }
 
@@ -112,7 +115,8 @@ void App::pick() {
   state_.hover.reset();
   state_.span.reset();
   state_.revisions.hover.reset();
-  if (!scene_ || !viewport_.hovers() || flight_.flying() || !ImGui::IsMousePosValid()) return;
+  if (!scene_ || presentation_ || !viewport_.hovers() || flight_.flying() || !ImGui::IsMousePosValid())
+    return;
   const glm::ivec2 pixel(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size_.x || pixel.y >= size_.y) return;
   const auto split = split_view();
@@ -123,7 +127,7 @@ void App::pick() {
   if (revision_) state_.revisions.hover = revision_hover(state_, second, *point);
   if (second) return;
   if (point->facet != k_no_facet) state_.hover = describe(*state_.model, state_.settings, *point);
-  if (!state_.cut || opening_.at(now_s_) > 0.0) return;
+  if (!state_.cut || open_now() > 0.0) return;
   // The plane's point on the line of sight, if it lies before the surface.
   const Camera& camera = state_.camera;
   const glm::dvec3 seen(point->position);
@@ -146,7 +150,8 @@ SceneSettings App::scene_settings() const {
     constexpr double k_dimmed = 0.75;
     shown.dimmed = is_lit(state_) ? k_dimmed : 0.0;
   }
-  shown.samples = options_.picture_samples;
+  shown.samples = film_ ? std::min(k_film_samples, options_.picture_samples) : options_.picture_samples;
+  if (presentation_) shown.ground = presented_.floor;
   shown.theme = state_.window.theme;
   shown.required_draft_deg = state_.settings.required_draft.deg;
   shown.open_mold = opened().halves;
@@ -176,7 +181,7 @@ SceneSettings App::scene_settings() const {
   ViewMarks& marks = scene.view.marks;
   marks.undercut_glow = glow_.at(now_s_);
   scene.bodies = revision_ ? lit_places(state_, state_.camera)
-                           : body_places(state_, opening_.at(now_s_),
+                           : body_places(state_, open_now(),
                                          state_.window.motion ? action_loop_.at(now_s_) : k_resting_share);
   if (state_.face) marks.chosen = state_.face->number;
   if (state_.hover) {
@@ -200,6 +205,7 @@ bool App::draw(const ViewTarget& target) {
                        .by_action = state_.mold.by_action});
     scene_->explain(state_.hover ? state_.hover->blocker : std::nullopt, state_.span);
     refining = scene_->draw(target, scene_settings()) || refining;
+    while (film_ && refining) refining = scene_->draw(target, scene_settings());
     show_comparison();
   } else {
     draw_backdrop(tools_, target, state_.window.theme);
@@ -207,6 +213,7 @@ bool App::draw(const ViewTarget& target) {
   // ImGui goes back to the program that was in use, which may be deleted by then.
   gl::use_no_program(context_->functions());
   imgui_.draw();
+  add_to_film(target);
   if (refining) next_frame_s_ = now_s_;
   return refining;
 }
@@ -224,13 +231,12 @@ void App::show_comparison() {
 
 OpenedMold App::opened() const {
   if (!state_.model || shown_pieces(state_)) return {};
-  return opened_mold(state_.actions.plan.get(), opening_.at(now_s_));
+  return opened_mold(state_.actions.plan.get(), open_now());
 }
 
-void App::fit(const Camera& camera, bool at_once) {
-  fitted_area_ = fit_area();
+std::vector<glm::vec3> App::points_shown(double open, bool steel) const {
   const OpenedMold opened =
-      shown_pieces(state_) ? OpenedMold() : opened_mold(state_.actions.plan.get(), wanted_opening());
+      shown_pieces(state_) ? OpenedMold() : opened_mold(state_.actions.plan.get(), open);
   std::vector<glm::vec3> outermost = state_.extremes;
   if (revision_) {
     const FrameTie tie = tie_of(state_, *revision_->of());
@@ -238,16 +244,22 @@ void App::fit(const Camera& camera, bool at_once) {
     for (const glm::vec3& point : revision_->of()->part.geometry->extremes)
       outermost.emplace_back(back.point(glm::dvec3(point)));
   }
-  if (steel_wanted()) {
+  if (steel) {
     const std::vector<glm::vec3> block = block_corners(state_);
     outermost.insert(outermost.end(), block.begin(), block.end());
   }
-  fitted_steel_ = steel_fit();
   auto whole = points_to_show(outermost, state_.settings.direction.unit(), opened.halves);
-  if (wanted_opening() > 0.0) {
-    const std::vector<glm::vec3> moved = points_of_bodies(state_, wanted_opening());
+  if (open > 0.0) {
+    const std::vector<glm::vec3> moved = points_of_bodies(state_, open);
     whole.insert(whole.end(), moved.begin(), moved.end());
   }
+  return whole;
+}
+
+void App::fit(const Camera& camera, bool at_once) {
+  fitted_area_ = fit_area();
+  fitted_steel_ = steel_fit();
+  const std::vector<glm::vec3> whole = points_shown(wanted_opening(), steel_wanted());
   fitted_ = fitted_to(camera, fitted_points_.empty() ? whole : fitted_points_, fitted_area_);
   if (!at_once && state_.window.motion) return flight_.start(state_.camera, *fitted_, now_s_);
   if (at_once) flight_.stop();
@@ -268,7 +280,7 @@ void App::look_at(SplitMesh undercuts, std::vector<glm::vec3> points) {
 }
 
 void App::keep_fitted() {
-  if (!fitted_ || state_.dialogs.panels_hidden) return;
+  if (!fitted_ || presentation_ || state_.dialogs.panels_hidden) return;
   if (!flight_.flying() && !(state_.camera == *fitted_)) {
     fitted_.reset();
     return;

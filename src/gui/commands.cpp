@@ -61,7 +61,9 @@ void escape(const Pressed& p) {
   p.edits.give_up_drag = true;
   SweepChoices& choices = p.edits.sweep_choices;
   if (ImGui::IsMouseDown(0)) return;
-  if (!p.state.toasts.empty()) {
+  if (p.edits.tour) {
+    p.edits.tour.reset();
+  } else if (!p.state.toasts.empty()) {
     p.edits.ask(&Commands::dismiss_toasts);
   } else if (p.edits.measuring) {
     p.edits.measuring.reset();
@@ -190,7 +192,8 @@ void enlarge_map(const Pressed& p) {
 }
 
 void open_mold(const Pressed& p) {
-  if (p.key.key == GLFW_KEY_SPACE) return p.edits.ask(&Commands::stop_opening);
+  if (p.key.key == GLFW_KEY_SPACE)
+    return p.edits.ask(p.state.presented ? &Commands::pause_presenting : &Commands::stop_opening);
   p.look.open_mold = p.look.open_mold < 1.0 ? 1.0 : 0.0;
   p.edits.ask(&Commands::fit_view);
 }
@@ -245,6 +248,7 @@ const std::array<Shortcuts, 3>& shortcuts() {
       {{"Shift + 5", "parallel or perspective"}, part, {GLFW_KEY_KP_5}, asks(&C::toggle_projection)},
       {{"F", "fit the part"}, part, {'F'}, asks(&C::fit_view)},
       {{"O / Space", "open or close the mold, or stop it"}, part_no_ctrl, {'O', GLFW_KEY_SPACE}, open_mold},
+      {{"F5", "present the part, or end that"}, part_no_ctrl, {GLFW_KEY_F5}, asks(&C::present)},
       {{"G", "the mold, or back"}, part_no_ctrl, {'G'}, [](P p) { p.edits.enter_or_leave(Step::mold); }},
       {{"S", "section across, along the direction, none"},
        part_no_ctrl,
@@ -293,6 +297,11 @@ bool acts(When when, const KeyPress& press, const AppState& state) {
 }
 
 }  // namespace
+
+bool in_presentation(const KeyPress& press) {
+  constexpr std::array<int, 4> k_keys = {GLFW_KEY_F5, GLFW_KEY_F12, GLFW_KEY_SPACE, GLFW_KEY_ESCAPE};
+  return std::ranges::find(k_keys, press.key) != k_keys.end();
+}
 
 bool leaves(const KeyPress& press) { return press.key == GLFW_KEY_ESCAPE; }
 

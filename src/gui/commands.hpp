@@ -37,6 +37,14 @@ struct Commands {
   void undo();
   void redo();
   void fit_view();
+  /// Shows the part to others, or ends that; see Presentation.
+  void present();
+  void pause_presenting();
+  /// The same into a file.
+  void film(const std::string& path);
+  /// The picture becomes one of the report's; none is any more.
+  void keep_view();
+  void forget_views();
   /// Leaves the mold as far open as it is, while it opens.
   void stop_opening();
   /// Flies to where the part is seen from this side, and fits it.
@@ -130,6 +138,8 @@ struct Edits : Editable {
 
 /// Whether a key ends the program, also while text is being typed.
 [[nodiscard]] bool ends_program(const KeyPress& press);
+/// Whether it has a meaning while the part is presented.
+[[nodiscard]] bool in_presentation(const KeyPress& press);
 /// Whether it is the key that closes and gives up.
 [[nodiscard]] bool leaves(const KeyPress& press);
 /// For keys pressed while no text is being typed.

@@ -26,11 +26,17 @@ constexpr double k_farthest_px = 1e5, k_least_side_px = 240, k_most_side_px = 81
 constexpr double k_most_notches = 1000, k_most_clicks = 100, k_longest_wait_s = 600;
 
 constexpr std::pair<std::string_view, int> k_key_names[] = {
-    {"Tab", GLFW_KEY_TAB},       {"Escape", GLFW_KEY_ESCAPE},
-    {"Enter", GLFW_KEY_ENTER},   {"Left", GLFW_KEY_LEFT},
-    {"Right", GLFW_KEY_RIGHT},   {"Up", GLFW_KEY_UP},
-    {"Down", GLFW_KEY_DOWN},     {"F1", GLFW_KEY_F1},
-    {"F12", GLFW_KEY_F12},       {"Backspace", GLFW_KEY_BACKSPACE},
+    {"Tab", GLFW_KEY_TAB},
+    {"Escape", GLFW_KEY_ESCAPE},
+    {"Enter", GLFW_KEY_ENTER},
+    {"Left", GLFW_KEY_LEFT},
+    {"Right", GLFW_KEY_RIGHT},
+    {"Up", GLFW_KEY_UP},
+    {"Down", GLFW_KEY_DOWN},
+    {"F1", GLFW_KEY_F1},
+    {"F5", GLFW_KEY_F5},
+    {"F12", GLFW_KEY_F12},
+    {"Backspace", GLFW_KEY_BACKSPACE},
     {"Delete", GLFW_KEY_DELETE},
 };
 

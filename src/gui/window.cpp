@@ -288,7 +288,7 @@ void run_window(const WindowOptions& options, const Progress& progress) {
   app.show_hints(true);
   if (!remark.empty()) app.say(remark, true);
   if (options.notes) app.set_notes(*options.notes);
-  if (!options.part.empty()) app.open(options.part);
+  options.part.empty() ? app.offer_tour() : app.open(options.part);
   if (!options.compare.empty()) app.compare_with(options.compare);
   glfwShowWindow(context->window());
   const InterruptWatch watch(progress);

@@ -123,6 +123,8 @@ void draw_studio(ViewTools& tools, const ViewFrame& frame) {
     const glm::dvec3 flat(1.0 / k_footprint_reach, 1.0 / k_footprint_reach, 0.0);
     footprint.set("u_clip_from_unit", glm::mat4(glm::scale(glm::dmat4(1.0), flat)));
     tools.mesh.facets.draw(tools.gl);
+    if (frame.settings.steel.shown)
+      for (const ViewMesh::Solid& solid : tools.mesh.solids_around) solid.triangles.draw(tools.gl);
   }
   gl::begin(tools.gl,
             {.framebuffer = targets.to_colour.name(), .size = targets.size, .depth = gl::DepthTest::equal});

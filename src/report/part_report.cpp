@@ -48,7 +48,12 @@ std::string write_report(const ReportOrder& order, ReportContext context, Study&
   if (context.live) outputs.emplace_back("--live");
   if (order.pdf) outputs.push_back("--pdf=" + name + ".pdf");
   context.command = command_of(row, outputs, study);
-  const Report report = row.describe(context, study);
+  Report report = row.describe(context, study);
+  if (!order.views.empty()) {
+    Section views{.title = "Views", .blocks = {}, .pages_only = true};
+    views.add(Pictures{order.views});
+    report.sections.insert(report.sections.begin(), std::move(views));
+  }
   context.progress.report("writing", 0.0);
   if (order.html) write_html(html, report);
   if (order.pdf) write_pdf(pdf, report, Paper::a4);

@@ -4,12 +4,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "report/report.hpp"
 #include "study/study.hpp"
 
 namespace moldlight::report {
 
-struct Report;
 struct ReportContext;
 
 struct PartReport {
@@ -25,7 +26,8 @@ struct ReportOrder {
   int of = 0;
   std::string path = {};
   bool html = true, pdf = true;
-  bool live = false;  // where the page can be
+  bool live = false;                // where the page can be
+  std::vector<Picture> views = {};  // that the user has chosen; before all else
 };
 /// Writes it, with the command that makes it again. Returns where it is, a sentence without its stop. Throws
 /// FileError, Cancelled.

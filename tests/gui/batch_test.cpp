@@ -10,6 +10,8 @@ namespace {
 
 using moldlight::test::run_moldlight;
 
+constexpr int k_batch_down = 264;  // GLFW's
+
 /// The part along y by a list that says so, one that is broken, one without result.
 class BatchInWindow : public WindowWithPart {
  protected:
@@ -50,6 +52,8 @@ TEST_F(BatchInWindow, AClickOpensThePartWithItsSettings) {
   EXPECT_EQ(direction(), glm::dvec3(0.0, 1.0, 0.0));
   EXPECT_EQ(method().tau_deg, 2.0);
   EXPECT_EQ(state().model->part.unit, "mm");
+  EXPECT_TRUE(state().dialogs.batch) << "the table stays";
+  key({.key = 'L'});
   EXPECT_FALSE(state().dialogs.batch);
   key({.key = 'L'});
   EXPECT_TRUE(state().dialogs.batch) << "the table is a key away";
@@ -65,31 +69,63 @@ TEST_F(BatchInWindow, TypingFiltersAndAHeadingSorts) {
   EXPECT_FALSE(state().dialogs.batch);
 }
 
+TEST_F(BatchInWindow, HasVerdictUnitAndActions) {
+  const std::vector<batch::RowColumn> columns = batch::used_columns(state().batch->rows);
+  for (const auto column : {batch::RowColumn::verdict, batch::RowColumn::unit})
+    EXPECT_NE(std::ranges::find(columns, column), columns.end()) << batch::column_name(column);
+  const batch::PartResult& first = state().batch->rows[0];
+  ASSERT_FALSE(first.sentence.empty());
+  EXPECT_EQ(batch::cell_text(first, batch::RowColumn::verdict), first.sentence);
+  EXPECT_EQ(batch::cell_text(first, batch::RowColumn::unit), "mm");
+  EXPECT_TRUE(batch::cell_text(state().batch->rows[1], batch::RowColumn::verdict).starts_with("failed: "));
+}
+
+TEST_F(BatchInWindow, ArrowKeysGoFromPartToPart) {
+  window.type("off");  // the broken one is left out
+  window.frames(3);
+  key({.key = k_batch_down});
+  window.wait_until_loaded();
+  const std::string first = state().path;
+  EXPECT_TRUE(first.ends_with(".off")) << first;
+  EXPECT_TRUE(state().dialogs.batch) << "the table stays";
+  key({.key = k_batch_down});
+  window.wait_until_loaded();
+  const std::string second = state().path;
+  EXPECT_TRUE(second.ends_with(".off"));
+  EXPECT_NE(first, second);
+  key({.key = k_up});
+  window.wait_until_loaded();
+  EXPECT_EQ(state().path, first);
+}
+
 TEST(BatchTable, OrdersAndFiltersRows) {
-  BatchTable table;
+  std::vector<batch::PartResult> rows;
   for (const char* path : {"b.stl", "a.stl", "c.stl"}) {
     batch::PartResult row;
     row.path = path;
     row.state = batch::ResultState::done;
-    table.rows.push_back(row);
+    rows.push_back(row);
   }
   const auto share = [&](std::size_t row, double undercut) {
-    table.rows[row].figures[static_cast<std::size_t>(batch::Figure::area)] = 10.0;
-    table.rows[row].figures[static_cast<std::size_t>(batch::Figure::undercut_area)] = undercut;
+    rows[row].figures[static_cast<std::size_t>(batch::Figure::area)] = 10.0;
+    rows[row].figures[static_cast<std::size_t>(batch::Figure::undercut_area)] = undercut;
   };
   share(0, 1.0);
   share(2, 2.0);
   using Rows = std::vector<std::size_t>;
-  EXPECT_EQ(ordered_rows(table, {}), (Rows{2, 0, 1})) << "what is not known comes last";
-  EXPECT_EQ(ordered_rows(table, {.filter = {}, .column = BatchColumn::share, .descending = false}),
-            (Rows{0, 2, 1}));
-  EXPECT_EQ(ordered_rows(table, {.filter = {}, .column = BatchColumn::part, .descending = false}),
-            (Rows{1, 0, 2}));
-  EXPECT_EQ(ordered_rows(table, {.filter = "C.STL done", .column = BatchColumn::share, .descending = true}),
+  EXPECT_EQ(batch::ordered_rows(rows, {}), (Rows{2, 0, 1})) << "what is not known comes last";
+  EXPECT_EQ(
+      batch::ordered_rows(rows, {.filter = {}, .column = batch::RowColumn::share, .descending = false}),
+      (Rows{0, 2, 1}));
+  EXPECT_EQ(
+      batch::ordered_rows(rows, {.filter = {}, .column = batch::RowColumn::part, .descending = false}),
+      (Rows{1, 0, 2}));
+  EXPECT_EQ(batch::ordered_rows(
+                rows, {.filter = "C.STL done", .column = batch::RowColumn::share, .descending = true}),
             (Rows{2}));
-  EXPECT_TRUE(
-      ordered_rows(table, {.filter = "c.stl failed", .column = BatchColumn::share, .descending = true})
-          .empty());
+  EXPECT_TRUE(batch::ordered_rows(
+                  rows, {.filter = "c.stl failed", .column = batch::RowColumn::share, .descending = true})
+                  .empty());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "gui/window_with_part.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/shared_parts.hpp"
 
 namespace moldlight::gui::test {
 namespace {
@@ -38,6 +39,58 @@ TEST_F(Help, TypingLeavesTheLinesThatHaveTheWords) {
   key({.key = 'H'});
   window.frames(3);
   EXPECT_TRUE(noted("bookmark the direction")) << "whole again";
+}
+
+TEST(Tour, GoesThroughTheStepsOfTheLidInAMinuteAndNeverAgain) {
+  OffscreenOptions options = quick_options();
+  options.user.window.motion = options.user.window.quick_sweep = false;
+  options.shipped_parts = {(moldlight::test::asset_folder() / "parts" / "enclosure_lid.stl").string()};
+  OffscreenWindow window(options);
+  window.app().show_hints(true);
+  window.app().offer_tour();
+  window.wait_until_loaded();
+  window.wait_until_measured();
+  ASSERT_TRUE(window.state().tour);
+  EXPECT_TRUE(window.state().path.ends_with("enclosure_lid.stl"));
+  std::vector<Step> steps;
+  double gone_s = 0.0;
+  for (; window.state().tour && gone_s < 120.0; gone_s += 0.5) {
+    if (steps.empty() || steps.back() != window.state().step) steps.push_back(window.state().step);
+    EXPECT_TRUE(gone_s != 2.0 || window.app().controls().contains("end the tour"));
+    window.pass_time(0.5);
+    window.frame();
+  }
+  EXPECT_NEAR(gone_s, 60.0, 8.0);
+  EXPECT_EQ(steps, (std::vector<Step>{Step::direction, Step::undercuts, Step::parting_line, Step::draft,
+                                      Step::mold, Step::report}));
+  EXPECT_TRUE(window.state().hints_done.contains(Hint::tour));
+  window.app().offer_tour();
+  EXPECT_FALSE(window.state().tour) << "never again";
+}
+
+TEST(Tour, IsSkipped) {
+  OffscreenOptions options = quick_options();
+  options.user.window.motion = options.user.window.quick_sweep = false;
+  options.shipped_parts = {(moldlight::test::asset_folder() / "parts" / "enclosure_lid.stl").string()};
+  for (const bool by_key : {false, true}) {
+    OffscreenWindow other(options);
+    other.app().show_hints(true);
+    other.app().offer_tour();
+    other.wait_until_loaded();
+    other.wait_until_measured();
+    ASSERT_TRUE(other.state().tour);
+    if (by_key) {
+      other.press_key({.key = k_escape});
+    } else {
+      other.move_mouse(other.control("end the tour").centre());
+      other.frames(2);
+      other.set_button(0, true);
+      other.frame();
+      other.set_button(0, false);
+    }
+    other.frames(3);
+    EXPECT_FALSE(other.state().tour);
+  }
 }
 
 TEST_F(Help, HintsComeOneByOneAndGoForGood) {

@@ -46,7 +46,7 @@ class Revisions : public WindowWithPart {
     ASSERT_TRUE(state().revisions.result) << "nothing was compared";
     EXPECT_FALSE(state().revisions.stale);
   }
-  [[nodiscard]] const gui::Revisions& result() const { return *state().revisions.result; }
+  [[nodiscard]] const moldlight::Revisions& result() const { return *state().revisions.result; }
   [[nodiscard]] glm::vec2 pixel_of(const glm::dvec3& point) const {
     return glm::vec2(
         project(state().camera, window.size(), glm::dvec3(state().model->frame.to_unit(point))).value());

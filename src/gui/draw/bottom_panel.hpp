@@ -56,6 +56,7 @@ void draw_second_line(const Ui& ui, const ScreenBox& row, float left, std::strin
 class RowCursor {
  public:
   [[nodiscard]] bool is_at(std::size_t row) const { return row_ == row; }
+  [[nodiscard]] const std::optional<std::size_t>& row() const { return row_; }
   /// Inside of the list, before its rows: brings the marked one to the middle, if it has moved. Pixels.
   void scroll(float row_height, float list_height);
   /// After the list, which is the item just drawn: moves as the keyboard asks, where the list has it; `page`

@@ -1,21 +1,15 @@
 // How the window looks: its colours and its fonts.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
-#include <fontconfig/fontconfig.h>
 #include <ft2build.h>
 
 #include "gui/draw/ui.hpp"
 #include FT_FREETYPE_H
 #include <imgui_freetype.h>
-
-#include "base/owned.hpp"
-#include "picture/canvas.hpp"
-#include "picture/carried_fonts.hpp"
 
 namespace moldlight::gui {
 
@@ -57,60 +51,6 @@ constexpr ImWchar k_digits[] = {'0', '9', 0};
 constexpr ImWchar k_text[] = {0x20,   0x2F,   0x3A,   0x24F,  0x370,  0x3FF,  0x400,  0x4FF,  0x2009,
                               0x2027, 0x2030, 0x203A, 0x2070, 0x209C, 0x20AC, 0x20AC, 0x2190, 0x2193,
                               0x2212, 0x2212, 0x221E, 0x221E, 0x2248, 0x2248, 0x2260, 0x2265, 0};
-
-using Pattern = Owned<FcPattern, FcPatternDestroy>;
-
-/// The installed face of this family that is nearest to the weight; an empty path where the family is not
-/// there (fontconfig would give another one).
-FontFile find_face(const char* family, int weight) {
-  find_carried_fonts();
-  Pattern wanted(FcPatternCreate());
-  FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
-  FcPatternAddInteger(wanted.get(), FC_WEIGHT, weight);
-  FcPatternAddInteger(wanted.get(), FC_SLANT, FC_SLANT_ROMAN);
-  FcPatternAddBool(wanted.get(), FC_SCALABLE, FcTrue);
-  FcPatternAddBool(wanted.get(), FC_VARIABLE, FcFalse);
-  FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
-  FcDefaultSubstitute(wanted.get());
-  FcResult result = FcResultNoMatch;
-  const Pattern found(FcFontMatch(nullptr, wanted.get(), &result));
-  if (!found) return {};
-  FcChar8* file = nullptr;
-  int face = 0;
-  bool same_family = false;
-  FcChar8* name = nullptr;
-  for (int i = 0; FcPatternGetString(found.get(), FC_FAMILY, i, &name) == FcResultMatch; ++i)
-    same_family = same_family || std::strcmp(reinterpret_cast<const char*>(name), family) == 0;
-  if (!same_family || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
-  if (FcPatternGetInteger(found.get(), FC_INDEX, 0, &face) != FcResultMatch) face = 0;
-  return {reinterpret_cast<const char*>(file), face};
-}
-
-/// Measures of a face at a size in pixels per em.
-struct FaceMeasure {
-  float line_height = 0.0F;  // from ascender to descender
-  float digit_width = 0.0F;  // of the widest digit
-};
-
-FaceMeasure measure_face(const std::string& bytes, int face_index, float em_px) {
-  FT_Library library = nullptr;
-  if (FT_Init_FreeType(&library) != 0) return {};
-  FaceMeasure measure;
-  FT_Face face = nullptr;
-  if (FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes.data()),
-                         static_cast<FT_Long>(bytes.size()), face_index, &face) == 0) {
-    const float per_unit = em_px / static_cast<float>(face->units_per_EM);
-    measure.line_height = static_cast<float>(face->ascender - face->descender) * per_unit;
-    for (FT_ULong digit = '0'; digit <= '9'; ++digit) {
-      if (FT_Load_Char(face, digit, FT_LOAD_NO_SCALE) != 0) continue;
-      measure.digit_width =
-          std::max(measure.digit_width, static_cast<float>(face->glyph->metrics.horiAdvance) * per_unit);
-    }
-    FT_Done_Face(face);
-  }
-  FT_Done_FreeType(library);
-  return measure;
-}
 
 std::string read_file(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -265,16 +205,6 @@ void apply_style(Theme theme, float scale) {
   for (const auto& [index, colour] : others) style.Colors[index] = ImGui::ColorConvertU32ToFloat4(colour);
   ImGui::GetStyle() = style;
 }
-
-FontFile find_interface_font(bool semibold) {
-  for (const char* family : k_font_families) {
-    const FontFile file = find_face(family, semibold ? FC_WEIGHT_DEMIBOLD : FC_WEIGHT_REGULAR);
-    if (!file.path.empty()) return file;
-  }
-  return {};
-}
-
-FontFile find_symbol_font() { return find_face("DejaVu Sans", FC_WEIGHT_REGULAR); }
 
 Fonts load_fonts(ImFontAtlas& atlas, float scale, std::vector<std::string>& bytes) {
   atlas.Clear();

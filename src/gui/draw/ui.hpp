@@ -18,20 +18,9 @@
 #include "gui/draw/keyboard.hpp"
 #include "gui/store/user_state.hpp"
 #include "mold/region.hpp"
+#include "picture/font_files.hpp"
 
 namespace moldlight::gui {
-
-/// A face of a font file.
-struct FontFile {
-  std::string path;
-  int face = 0;
-};
-
-/// The first of k_font_families (picture/canvas.hpp) that is installed, in a regular or a semibold weight
-/// (or the nearest); an empty path where there is none.
-[[nodiscard]] FontFile find_interface_font(bool semibold);
-/// One with many symbols, for the characters that the first lacks; an empty path where there is none.
-[[nodiscard]] FontFile find_symbol_font();
 
 /// A font and the size to draw it at, in ImGui's measure (line height).
 struct SizedFont {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -8,8 +9,21 @@
 
 namespace moldlight::gui {
 
-constexpr float k_part_row = 28.0F, k_row_with_picture = 54.0F, k_thumbnail_width = 68.0F;  // layout units
-constexpr float k_state_width = 74.0F, k_figure_width = 104.0F;
+using batch::RowColumn;
+
+// Layout units.
+constexpr float k_batch_row = 42.0F, k_thumbnail_width = 60.0F, k_unit_width = 40.0F, k_figure_width = 88.0F,
+                k_batch_filter = 220.0F, k_least_texts = 380.0F;
+constexpr float k_batch_share = 0.24F, k_batch_alone = 0.6F;  // of the window's height, beside a part or none
+
+/// As the verdict's card has it.
+VerdictLight light_of(const batch::PartResult& row) {
+  VerdictCard card{.verdict = Verdict(), .sentence = {}};
+  const auto state = std::ranges::find(k_verdict_states, row.verdict);
+  if (state == k_verdict_states.end()) return VerdictLight::gray;
+  card.verdict->state = static_cast<VerdictState>(state - k_verdict_states.begin());
+  return card.light();
+}
 
 void BatchPanel::draw(const PanelContext& context, const BatchPicture& picture) {
   const auto& table = context.state.batch;
@@ -17,46 +31,78 @@ void BatchPanel::draw(const PanelContext& context, const BatchPicture& picture) 
   open_ = context.state.dialogs.batch && table;
   if (!open_) return;
   const Ui& ui = context.ui;
+  bool& shown = context.edits.dialogs.batch;
   bool changed = table_ != table;
   if (changed) {
     table_ = table;
-    columns_ = used_columns(*table);
-    pictures_ = std::ranges::any_of(table->rows, &batch::PartResult::picture);
     order_ = {};
     filter_.fill(0);
-    selected_ = -1;
+    cursor_ = {};
   }
-  if (begin_dialog(ui, "Batch", {ui.px(980), ui.px(640)})) {
-    changed = text_field(ui, "##filter", filter_,
-                         {.hint = "part, settings, state or reason", .width = ui.px(280), .starts = opens}) ||
-              changed;
-    ImGui::SameLine();
+  if (opens) context.layout.fold_bottom("Batch", false);
+  if (context.layout.begin_bottom(ui, "Batch")) {
+    BottomHeader header(ui, "Batch");
+    if (header.button({"close batch", Icon::close, "Close; L opens it again"})) shown = false;
+    header.place(ui.px(k_batch_filter));
+    text_field(ui, "##filter", filter_,
+               {.hint = "part, verdict or reason", .width = ui.px(k_batch_filter), .starts = opens});
+    // From the words straight into the list.
+    Keyboard& keyboard = ui.memory->keyboard;
+    const ImGuiID rows = ImGui::GetID("batch rows");
+    if (ImGui::IsItemActive() && !keyboard.focused(rows) && keyboard.takes(ControlKey::down))
+      keyboard.give_to(rows);
     const auto& counts = table->counts;
-    row_text(ui, ui.note(), room_left(),
-             fmt::format("{}: {} done, {} failed, {} missing", table->manifest.command, counts.done,
-                         counts.failed, counts.missing));
-    if (order_.filter != filter_.data()) {
-      order_.filter = filter_.data();
-      changed = true;
-    }
-    const BatchOrder before = order_;
+    header.end(fmt::format("{}: {} done, {} failed, {} missing", table->manifest.command, counts.done,
+                           counts.failed, counts.missing),
+               ui.colours->muted);
+    changed = changed || order_.filter != filter_.data();
+    order_.filter = filter_.data();
+    choose_columns(ui);
+    const batch::RowOrder before = order_;
     draw_headings(context);
     changed = changed || before.column != order_.column || before.descending != order_.descending;
-    if (changed) rows_ = ordered_rows(*table, order_);
-    draw_rows(context, picture);
-    if (button(ui, "Close", {.width = ui.px(96)})) context.edits.dialogs.batch = false;
+    if (changed) rows_ = batch::ordered_rows(table->rows, order_);
+    if (rows_.empty()) hint(ui, "No part matches these words.");
+    const RowList list{.id = "batch rows",
+                       .count = rows_.size(),
+                       .row_height = k_batch_row,
+                       .share = context.state.model ? k_batch_share : k_batch_alone};
+    const auto at = cursor_.row();
+    draw_list(ui, list, cursor_, [&](std::size_t k) { draw_row(context, k, picture); });
+    // The arrow keys go from part to part.
+    if (cursor_.row() && cursor_.row() != at && *cursor_.row() < rows_.size())
+      context.edits.ask(&Commands::open_batch_part, rows_[*cursor_.row()]);
+  } else {
+    shown = false;  // another one was unfolded
   }
-  if (end_dialog(ui)) context.edits.dialogs.batch = false;
+  context.layout.end();
 }
 
-/// Right end of a column from the row's left end; the first takes what the others leave. Figures have half of
-/// the width, since the reasons of failures stand there, too.
+/// Those for which there is room beside the part and its verdict; what it takes to mold it comes first.
+void BatchPanel::choose_columns(const Ui& ui) {
+  constexpr std::array<RowColumn, 3> k_given_up = {RowColumn::undercuts, RowColumn::share,
+                                                   RowColumn::undercut};
+  columns_ = batch::used_columns(table_->rows);
+  float room = room_left() - ui.px(k_thumbnail_width + k_least_texts);
+  for (const RowColumn each : columns_)
+    if (each > RowColumn::verdict) room -= ui.px(each == RowColumn::unit ? k_unit_width : k_figure_width);
+  for (const RowColumn each : k_given_up)
+    if (room < 0.0F && std::erase(columns_, each) > 0) room += ui.px(k_figure_width);
+}
+
+/// Right end of a column from the row's left end; the part and its verdict share what the others leave.
 float BatchPanel::right_of(const Ui& ui, std::size_t column, float width) const {
-  const auto figures = static_cast<float>(std::max<std::size_t>(columns_.size(), 3) - 2);
-  const float figure = std::max(ui.px(k_figure_width), std::floor(0.5F * width / figures));
-  float right = width;
-  for (std::size_t k = columns_.size(); k-- > column + 1;)
-    right -= columns_[k] == BatchColumn::state ? ui.px(k_state_width) : figure;
+  float others = ui.px(k_thumbnail_width);
+  for (const RowColumn each : columns_)
+    if (each > RowColumn::verdict) others += ui.px(each == RowColumn::unit ? k_unit_width : k_figure_width);
+  float right = ui.px(k_thumbnail_width);
+  for (std::size_t k = 0; k <= column; ++k) {
+    const RowColumn each = columns_[k];
+    right += each == RowColumn::part      ? std::floor(0.4F * (width - others))
+             : each == RowColumn::verdict ? std::floor(0.6F * (width - others))
+             : each == RowColumn::unit    ? ui.px(k_unit_width)
+                                          : ui.px(k_figure_width);
+  }
   return right;
 }
 
@@ -64,12 +110,12 @@ void BatchPanel::draw_headings(const PanelContext& context) {
   const Ui& ui = context.ui;
   const glm::vec2 start = cursor_at();
   const float width = room_left() - ui.px(12), height = ui.px(k_row_height);
-  float left = pictures_ ? ui.px(k_thumbnail_width) : 0.0F;
+  float left = ui.px(k_thumbnail_width);
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const BatchColumn column = columns_[k];
+    const RowColumn column = columns_[k];
     const float right = right_of(ui, k, width);
     put_cursor({start.x + left, start.y});
-    const std::string name(batch_column_name(column));
+    const std::string name(batch::column_name(column));
     const Pressable heading = pressable(ui, ("by " + name).c_str(), {right - left, height});
     if (heading.clicked) {
       order_.descending = order_.column == column ? !order_.descending : !is_text(column);
@@ -86,73 +132,45 @@ void BatchPanel::draw_headings(const PanelContext& context) {
   ImGui::Dummy(ImVec2(width, 0.0F));
 }
 
-void BatchPanel::draw_rows(const PanelContext& context, const BatchPicture& picture) {
-  const Ui& ui = context.ui;
-  const float row_height = ui.px(pictures_ ? k_row_with_picture : k_part_row);
-  ImGui::BeginChild("rows", ImVec2(0, -ui.px(k_row_height + 8)));
-  const int count = static_cast<int>(rows_.size());
-  if (count == 0) hint(ui, "No part matches these words.");
-  Keyboard& keyboard = ui.memory->keyboard;
-  const int page = std::max(1, static_cast<int>(ImGui::GetWindowHeight() / row_height) - 1);
-  if (const int steps = keyboard.takes_steps(page, count); steps != 0 && count > 0) {
-    selected_ = std::clamp(selected_ + steps, 0, count - 1);
-    ImGui::SetScrollY((static_cast<float>(selected_) + 0.5F) * row_height - 0.5F * ImGui::GetWindowHeight());
-  }
-  selected_ = std::min(selected_, count - 1);
-  if (selected_ >= 0 && keyboard.takes(ControlKey::press)) {
-    context.edits.ask(&Commands::open_batch_part, rows_[static_cast<std::size_t>(selected_)]);
-    context.edits.dialogs.batch = false;
-  }
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
-  ImGuiListClipper clipper;
-  clipper.Begin(count, row_height);
-  while (clipper.Step())
-    for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
-      ImGui::PushID(k);
-      draw_row(context, static_cast<std::size_t>(k), picture);
-      ImGui::PopID();
-    }
-  ImGui::PopStyleVar();
-  ImGui::EndChild();
-}
-
 void BatchPanel::draw_row(const PanelContext& context, std::size_t index, const BatchPicture& picture) {
   const Ui& ui = context.ui;
   const batch::PartResult& row = table_->rows[rows_[index]];
-  const float width = room_left(), height = ui.px(pictures_ ? k_row_with_picture : k_part_row);
-  const Pressable line = pressable(ui, fmt::format("row {}", row.row).c_str(), {width, height});
+  const std::string id = fmt::format("row {}", row.row);
+  const BatchPart part = batch_part(*table_, rows_[index]);
+  const Row line = list_row(ui, {.id = id.c_str(),
+                                 .height = k_batch_row,
+                                 .chosen = part.path == context.state.path,
+                                 .marked = cursor_.is_at(index)});
+  tooltip(ui, row.path,
+          row.settings + (row.sentence.empty() ? "" : "\n" + row.sentence) +
+              (row.reason.empty() ? "" : "\n" + row.reason));
   ImDrawList& list = window_list();
-  const glm::vec2 min = line.box.min, max = line.box.max;
-  if (line.hovered || static_cast<int>(index) == selected_)
-    fill(list, {min, max}, ui.colours->field_hovered, ui.px(4));
-  if (row.picture) {
-    const glm::vec2 at = min + glm::vec2(0.0F, ui.px(3));
-    draw_picture(list, picture(row.key), {at, at + glm::vec2(ui.px(64), ui.px(48))}, ui.px(4));
-  }
-  const float inner = ImGui::GetWindowContentRegionMax().x - ui.px(12);
-  float left = pictures_ ? ui.px(k_thumbnail_width) : 0.0F;
+  const glm::vec2 at = line.box.min + glm::vec2(ui.px(4), ui.px(2));
+  if (row.picture) draw_picture(list, picture(row.key), {at, at + glm::vec2(ui.px(50), ui.px(38))}, ui.px(4));
+  const float width = ImGui::GetWindowWidth() - ui.px(12), middle = line.box.centre().y;
+  const bool failed = row.state == batch::ResultState::failed, done = row.state == batch::ResultState::done;
+  float left = ui.px(k_thumbnail_width);
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const BatchColumn column = columns_[k];
-    const float right = right_of(ui, k, std::min(width, inner));
+    const RowColumn column = columns_[k];
+    const float right = right_of(ui, k, width);
+    const bool verdict = column == RowColumn::verdict;
     // Why a part failed stands where its figures would be.
-    const bool is_reason = k == 2 && row.state == batch::ResultState::failed;
-    std::string text = is_reason ? row.reason : batch_cell(row, column);
-    const float room = is_reason ? std::min(width, inner) - left : right - left - ui.px(8);
-    text = fitted(ui.fonts.body, text, room);
-    const ImU32 colour = row.state == batch::ResultState::done ? ui.colours->text
-                         : is_reason                           ? ui.colours->warning
-                                                               : ui.colours->muted;
-    const float inset = is_text(column) || is_reason ? 0.0F : right - left - text_size(ui.fonts.body, text).x;
-    draw_text(list, {ui.fonts.body, colour},
-              {min.x + left + inset, 0.5F * (min.y + max.y - ui.fonts.body.size)}, text);
-    if (is_reason) break;
+    const float light = verdict ? ui.px(14) : 0.0F,
+                room = (failed && verdict ? width : right - ui.px(8)) - left - light;
+    if (verdict)
+      list.AddCircleFilled({line.box.min.x + left + ui.px(4), middle}, ui.px(4), light_colour(light_of(row)));
+    const std::string text = fitted(ui.fonts.body, batch::cell_text(row, column), room);
+    const float inset = is_text(column) ? light : right - left - text_size(ui.fonts.body, text).x;
+    draw_text(list,
+              {ui.fonts.body, failed && verdict ? ui.colours->warning
+                              : done            ? ui.colours->text
+                                                : ui.colours->muted},
+              {line.box.min.x + left + inset, middle - 0.5F * ui.fonts.body.size}, text);
+    if (failed && verdict) break;
     left = right;
   }
-  tooltip(ui, row.path, row.settings + (row.reason.empty() ? "" : "\n" + row.reason));
-  if (line.clicked) {
-    context.edits.ask(&Commands::open_batch_part, rows_[index]);
-    context.edits.dialogs.batch = false;
-  }
+  put_cursor({line.box.min.x, line.box.max.y});
+  if (line.clicked) context.edits.ask(&Commands::open_batch_part, rows_[index]);
 }
 
 }  // namespace moldlight::gui

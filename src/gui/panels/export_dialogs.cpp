@@ -1,10 +1,16 @@
 // What is written from the window: the dialogs for what `classify` and `mold` write, and for a picture, and
 // the panel of the report.
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
+#include <fmt/format.h>
+
+#include "base/numbers.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/workspace.hpp"
+#include "io/film.hpp"
 #include "io/mesh_writer.hpp"
 #include "parting/line_files.hpp"
 #include "parting/mold_report.hpp"
@@ -174,6 +180,28 @@ void draw_finishes_dialog(const PanelContext& context, PathDialog& dialog) {
   if (!open) context.edits.dialogs.finishes.reset();
 }
 
+void draw_film_dialog(const PanelContext& context, PathDialog& dialog) {
+  auto& format = context.edits.dialogs.film;
+  if (!format || !context.state.model) return dialog.forget();
+  constexpr std::array<std::string_view, 2> k_formats = {"gif", "mp4"};
+  const auto rows = [&]() -> PathDialog::Ready {
+    if (has_ffmpeg())
+      choice(context.ui, {"Format"}, k_formats, *format);
+    else
+      hint(context.ui, "With ffmpeg installed an MP4 can be made, too.");
+    return {};
+  };
+  const PathDialog::Form form{.name = "Film",
+                              .title = "Film of the presentation",
+                              .prompt = "It is shown while it is made. A file of this name is replaced.",
+                              .field = "##Film path",
+                              .action = "Make it",
+                              .proposed = beside_part(context.state, *format == 1 ? ".mp4" : ".gif")};
+  bool open = true;
+  if (dialog.draw(context.ui, form, rows, open)) context.edits.ask(&Commands::film, dialog.path());
+  if (!open) format.reset();
+}
+
 void ReportPanel::draw(const PanelContext& context) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
@@ -185,6 +213,12 @@ void ReportPanel::draw(const PanelContext& context) {
   if (button(ui, "Regions and figures… (Ctrl+E)", {.width = width})) context.edits.dialogs.exporting = true;
   name_item(ui, "export");
   if (button(ui, "Mold and parting line…", {.width = width})) context.edits.dialogs.exporting_mold = true;
+  const float half = std::floor(0.5F * (width - ui.px(4)));
+  if (button(ui, "Present (F5)", {.width = half})) context.edits.ask(&Commands::present);
+  name_item(ui, "present");
+  ImGui::SameLine(0.0F, ui.px(4));
+  if (button(ui, "Film…", {.width = half})) context.edits.dialogs.film = 0;
+  name_item(ui, "film");
   ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
   heading(ui, "Report");
   if (state.exporting) {
@@ -203,6 +237,12 @@ void ReportPanel::draw(const PanelContext& context) {
   tooltip(ui, "Live page", "The reader can turn the direction; the regions follow.");
   ImGui::EndDisabled();
   toggle(ui, {"Pages of paper (PDF)"}, order_.pdf);
+  const std::size_t views = state.views.size();
+  if (chip(ui, "Add this view", false)) context.edits.ask(&Commands::keep_view);
+  tooltip(ui, "Add this view", "The report begins with the views that you add, as the part is seen now.");
+  if (views > 0 && chip(ui, fmt::format("{}  ×", plural(views, "view")), true, false))
+    context.edits.ask(&Commands::forget_views);
+  if (views > 0) name_item(ui, "views");
   hint(ui, "Files are named after this path:");
   const std::string beside = beside_part(state, "-report");
   if (proposed_ != beside) std::snprintf(path_.data(), path_.size(), "%s", beside.c_str());
@@ -213,6 +253,7 @@ void ReportPanel::draw(const PanelContext& context) {
   ImGui::BeginDisabled(lacks_sweep || path_[0] == 0 || !(order_.html || order_.pdf) || !state.figures.split);
   if (button(ui, "Write the report", {.width = width, .strong = true})) {
     order_.path = path_.data();
+    order_.views = state.views;
     context.edits.ask(&Commands::export_report, order_);
   }
   ImGui::EndDisabled();

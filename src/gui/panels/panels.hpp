@@ -86,6 +86,8 @@ void draw_measuring(const PanelContext& context);
 void draw_view_cube(const PanelContext& context);
 void draw_loading(const PanelContext& context);
 void draw_toasts(const PanelContext& context);
+/// The caption of a presentation.
+void draw_presented(const PanelContext& context);
 void draw_hints(const PanelContext& context);
 void draw_settings(const PanelContext& context);
 /// Asks what a part dropped beside another one is to be.

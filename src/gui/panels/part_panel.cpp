@@ -38,7 +38,7 @@ std::string verdict_words(const Verdict& verdict, const Part& part) {
   if (verdict.state == VerdictState::two_plate) return "two-plate mold";
   if (verdict.state == VerdictState::side_actions) return actions_text(verdict.actions);
   if (verdict.state == VerdictState::unknown) return "not decided";
-  return fmt::format("{} {} not released", figure(verdict.unreleased_area), powered_unit(part, 2));
+  return fmt::format("{} {} not released", rounded(verdict.unreleased_area), powered_unit(part, 2));
 }
 
 /// A leaf of the file's tree: picture, name and verdict, and whether it is seen.

@@ -84,7 +84,7 @@ void draw_shipped(const PanelContext& context, std::span<const unsigned> thumbna
 }  // namespace
 
 void draw_start_page(const PanelContext& context, std::span<const unsigned> thumbnails) {
-  if (context.state.model || context.state.dialogs.browser) return;
+  if (context.state.model || context.state.dialogs.browser || context.state.dialogs.batch) return;
   place_window(0.5F * screen_size(), glm::vec2(0.5F));
   ImGui::Begin("Start", nullptr,
                k_fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_AlwaysAutoResize |

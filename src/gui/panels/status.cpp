@@ -1,7 +1,11 @@
 // Cards for what goes on: the chosen face, loading, messages; and what a newcomer may do next, at the thing
 // itself: one hint at a time, each until its thing was done or it was dismissed.
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -43,6 +47,72 @@ constexpr HintPlace k_places[] = {
     {Hint::sweep, "panel Direction", "Looking for the best parting direction", {1.0F, 0.0F}},
 };
 
+/// A minute, if nobody presses a key.
+constexpr double k_stop_s = 7.5;
+struct TourStop {
+  Step step;
+  std::string_view control, text;
+  glm::vec2 side;
+};
+constexpr TourStop k_tour[] = {
+    {Step::direction, "core arrow", "The mold opens along this arrow. Drag its tip.", {1.0F, 0.0F}},
+    {Step::direction, "verdict", "What the mold takes, in one sentence", {-1.0F, 0.0F}},
+    {Step::direction, "panel Direction", "Better directions come here. Click a card.", {1.0F, 0.0F}},
+    {Step::undercuts, "panel Undercuts", "Each undercut, with what releases it", {1.0F, 0.0F}},
+    {Step::parting_line, "panel Parting line", "Where the halves meet. Drag the handle.", {1.0F, 0.0F}},
+    {Step::draft, "draft chart", "How much draft the walls have, and lack", {1.0F, 0.0F}},
+    {Step::mold, "panel Mold", "The mold halves. Press O to open them.", {1.0F, 0.0F}},
+    {Step::report, "panel Report", "Pictures, files, the report. H has all keys.", {1.0F, 0.0F}},
+};
+
+/// A card that points at a control, with buttons; which was pressed, by its place, if any.
+std::optional<std::size_t> point_at(const PanelContext& context, const ScreenBox& box, const glm::vec2& side,
+                                    std::string_view text,
+                                    std::span<const std::pair<const char*, Icon>> buttons) {
+  const Ui& ui = context.ui;
+  std::optional<std::size_t> pressed;
+  const glm::vec2 at = box.centre() + side * (0.5F * (box.max - box.min) + glm::vec2(ui.px(16)));
+  const glm::vec2 tip = at - side * ui.px(8), across(side.y, side.x);
+  place_window(at, 0.5F - 0.5F * side);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->accent);
+  ImGui::Begin("##Hint", nullptr, k_card_window);
+  ImGui::PopStyleColor();
+  row_text(ui, {ui.fonts.body, ui.colours->on_accent}, text_size(ui.fonts.body, text).x, text);
+  for (std::size_t k = 0; k < buttons.size(); ++k) {
+    ImGui::SameLine(0.0F, ui.px(6));
+    const Pressable item = pressable(ui, buttons[k].first, glm::vec2(ui.px(k_row_height)));
+    draw_icon(window_list(), buttons[k].second, item.box.centre(), ui.px(12), ui.colours->on_accent);
+    if (item.clicked) pressed = k;
+  }
+  ImDrawList& list = window_list();
+  list.PushClipRectFullScreen();
+  list.AddTriangleFilled(tip, at + across * ui.px(7), at - across * ui.px(7), ui.colours->accent);
+  list.PopClipRect();
+  ImGui::End();
+  return pressed;
+}
+
+/// Goes on by itself.
+void draw_tour(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  auto& tour = context.edits.tour;
+  const TourStop& stop = k_tour[tour->stop];
+  if (tour->since_s == 0.0) tour->since_s = ui.now_s;
+  context.edits.enter(stop.step);
+  const auto control = ui.memory->controls.find(stop.control);
+  std::optional<std::size_t> pressed;
+  if (control != ui.memory->controls.end())
+    pressed = point_at(context, control->second, stop.side,
+                       fmt::format("{}   {} of {}", stop.text, tour->stop + 1, std::size(k_tour)),
+                       std::array<std::pair<const char*, Icon>, 2>{
+                           {{"go on", Icon::chevron_right}, {"end the tour", Icon::close}}});
+  ui.memory->wake_s = std::min(ui.memory->wake_s, tour->since_s + k_stop_s);
+  if (pressed == 1) return tour.reset();
+  if (!pressed && ui.now_s < tour->since_s + k_stop_s) return;
+  tour = {.stop = tour->stop + 1, .since_s = ui.now_s};
+  if (tour->stop == std::size(k_tour)) tour.reset();
+}
+
 }  // namespace
 
 void draw_chosen_face(const PanelContext& context) {
@@ -76,6 +146,28 @@ void draw_loading(const PanelContext& context) {
   ImGui::End();
 }
 
+void draw_presented(const PanelContext& context) {
+  const Ui& ui = context.ui;
+  const Presented& shown = *context.state.presented;
+  constexpr double k_keys_s = 4.0;
+  const auto lines = lines_within(ui.fonts.title, shown.caption, 0.8F * screen_size().x, 2);
+  place_window({0.5F * screen_size().x, screen_size().y - ui.px(16)}, {0.5F, 1.0F});
+  ImGui::Begin("Caption", nullptr, k_card_window | ImGuiWindowFlags_NoInputs);
+  const glm::vec2 start = cursor_at();
+  float width = 0.0F;
+  for (const std::string& line : lines) width = std::max(width, text_size(ui.fonts.title, line).x);
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    draw_text({ui.fonts.title, ui.colours->text},
+              start + glm::vec2(0.5F * (width - text_size(ui.fonts.title, lines[k]).x),
+                                ui.fonts.title.size * static_cast<float>(k)),
+              lines[k]);
+  ImGui::Dummy(ImVec2(width, ui.fonts.title.size * static_cast<float>(lines.size())));
+  ImGui::End();
+  if (shown.recording || (shown.time_s > k_keys_s && !shown.paused)) return;
+  draw_tag(ui, {0.5F * screen_size().x, ui.px(24)},
+           shown.paused ? "Space goes on" : "Space pauses, F12 takes a picture, Esc ends", ui.colours->text);
+}
+
 void draw_toasts(const PanelContext& context) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
@@ -107,28 +199,15 @@ void draw_hints(const PanelContext& context) {
   const Ui& ui = context.ui;
   const bool covered = state.dialogs != state.dialogs.none() || ui.memory->popups.any();
   if (!state.shows_hints || !state.model || state.dialogs.panels_hidden || covered) return;
+  if (state.tour && state.figures.shown) return draw_tour(context);
   const auto place = std::ranges::find_if(
       k_places, [&](const HintPlace& each) { return !state.hints_done.contains(each.hint); });
-  if (place == std::end(k_places)) return;
+  if (place == std::end(k_places) || state.tour) return;
   const auto control = ui.memory->controls.find(place->control);
   if (control == ui.memory->controls.end()) return;
-  const ScreenBox& box = control->second;
-  const glm::vec2 at = box.centre() + place->side * (0.5F * (box.max - box.min) + glm::vec2(ui.px(16)));
-  const glm::vec2 tip = at - place->side * ui.px(8), across(place->side.y, place->side.x);
-  place_window(at, 0.5F - 0.5F * place->side);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colours->accent);
-  ImGui::Begin("##Hint", nullptr, k_card_window);
-  ImGui::PopStyleColor();
-  row_text(ui, {ui.fonts.body, ui.colours->on_accent}, text_size(ui.fonts.body, place->text).x, place->text);
-  ImGui::SameLine(0.0F, ui.px(6));
-  const Pressable close = pressable(ui, "dismiss the hint", glm::vec2(ui.px(k_row_height)));
-  draw_icon(window_list(), Icon::close, close.box.centre(), ui.px(12), ui.colours->on_accent);
-  if (close.clicked) context.edits.hints_done.insert(place->hint);
-  ImDrawList& list = window_list();
-  list.PushClipRectFullScreen();
-  list.AddTriangleFilled(tip, at + across * ui.px(7), at - across * ui.px(7), ui.colours->accent);
-  list.PopClipRect();
-  ImGui::End();
+  if (point_at(context, control->second, place->side, place->text,
+               std::array<std::pair<const char*, Icon>, 1>{{{"dismiss the hint", Icon::close}}}))
+    context.edits.hints_done.insert(place->hint);
 }
 
 }  // namespace moldlight::gui

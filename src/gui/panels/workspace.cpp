@@ -41,6 +41,11 @@ void draw_lines(const Ui& ui, std::string_view title, std::vector<HelpLine> line
 
 void Workspace::draw(const PanelContext& context, const Textures& textures) {
   const Dialogs& dialogs = context.state.dialogs;
+  if (context.state.presented) {
+    draw_presented(context);
+    draw_picture_dialog(context, picture_);
+    return draw_toasts(context);
+  }
   if (!dialogs.panels_hidden) {
     draw_top_bar(context);
     if (context.state.model) {
@@ -54,6 +59,7 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
       draw_comparison(context);
     }
   }
+  if (!dialogs.panels_hidden) batch_.draw(context, textures.batch);
   if (context.state.model) {
     draw_view_cube(context);
     draw_chosen_face(context);
@@ -64,13 +70,13 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   draw_start_page(context, textures.shipped_parts);
   draw_loading(context);
   draw_large_map(context, textures.maps);
-  batch_.draw(context, textures.batch);
   browser_.draw(context);
   draw_dropped(context);
   export_.draw(context);
   mold_export_.draw(context);
   draw_picture_dialog(context, picture_);
   draw_finishes_dialog(context, finishes_);
+  draw_film_dialog(context, film_);
   draw_settings(context);
   help_.draw(context);
   draw_toasts(context);

@@ -18,26 +18,25 @@ namespace moldlight::gui {
 /// The texture of a part's picture; 0 where there is none yet.
 using BatchPicture = std::function<unsigned(const Digest&)>;
 
-/// A batch's parts as a table over the window: filtered by typing, sorted by a click on a heading; a click on
-/// a row opens the part with its settings.
+/// A batch's parts as a table along the bottom: filtered by typing, sorted by a click on a heading; a click
+/// on a row, or an arrow key, opens the part with its settings.
 class BatchPanel {
  public:
-  /// Draws the dialog while it is open.
   void draw(const PanelContext& context, const BatchPicture& picture);
 
  private:
+  void choose_columns(const Ui& ui);
   void draw_headings(const PanelContext& context);
-  void draw_rows(const PanelContext& context, const BatchPicture& picture);
   void draw_row(const PanelContext& context, std::size_t index, const BatchPicture& picture);
   [[nodiscard]] float right_of(const Ui& ui, std::size_t column, float width) const;
 
   std::shared_ptr<const BatchTable> table_;  // of the rows; kept, so that no later one has its address
-  BatchOrder order_;
-  std::vector<BatchColumn> columns_;
+  batch::RowOrder order_;
+  std::vector<batch::RowColumn> columns_;
   std::vector<std::size_t> rows_;  // in the order of the table
   std::array<char, 128> filter_{};
-  int selected_ = -1;  // by the keyboard; its place among rows_
-  bool pictures_ = false, open_ = false;
+  RowCursor cursor_;
+  bool open_ = false;
 };
 
 /// The window's own file browser: no dialog program of the desktop is needed.
@@ -141,6 +140,9 @@ void draw_picture_dialog(const PanelContext& context, PathDialog& dialog);
 /// Asks which file the finishes of faces come from, or go to.
 void draw_finishes_dialog(const PanelContext& context, PathDialog& dialog);
 
+/// Asks where the film of a presentation goes.
+void draw_film_dialog(const PanelContext& context, PathDialog& dialog);
+
 /// All keys and what the mouse does; typing leaves the lines that have the words.
 class HelpSheet {
  public:
@@ -174,7 +176,7 @@ class Workspace {
   BatchPanel batch_;
   ExportDialog export_;
   MoldExportDialog mold_export_;
-  PathDialog picture_, finishes_;
+  PathDialog picture_, finishes_, film_;
   HelpSheet help_;
 };
 

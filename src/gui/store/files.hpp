@@ -13,7 +13,7 @@
 #include <glm/vec2.hpp>
 #include <nlohmann/json_fwd.hpp>
 
-#include "base/job.hpp"
+#include "base/file_watch.hpp"
 
 namespace moldlight::gui {
 
@@ -49,24 +49,5 @@ void write_text(const std::filesystem::path& path, const std::string& text);
 /// A PNG of the window: RGBA8, rows from above; the alpha is ignored. The file is replaced whole or not at
 /// all; throws FileError.
 void write_picture(const std::string& path, const glm::ivec2& size, std::vector<std::uint8_t> rgba);
-
-class FileWatch {
- public:
-  /// `changed` is called from the watch's thread when the file was changed and has come to rest.
-  explicit FileWatch(const std::function<void()>& changed) : job_({.wake = changed}) {}
-
-  /// Watches this file from its present state on; an empty path watches nothing.
-  void watch(const std::filesystem::path& file);
-  /// True once after each change.
-  [[nodiscard]] bool take();
-
- private:
-  using Time = std::filesystem::file_time_type;
-  static std::optional<Time> time_of(const std::filesystem::path& file);
-  void wait(const std::optional<Time>& seen);
-
-  std::filesystem::path file_;
-  Job<Time> job_;  // until the file is another one
-};
 
 }  // namespace moldlight::gui

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t k_recent_limit = 12;
 
 constexpr std::pair<std::string_view, Hint> k_hint_names[] = {
-    {"arrow", Hint::arrow}, {"verdict", Hint::verdict}, {"sweep", Hint::sweep}};
+    {"arrow", Hint::arrow}, {"verdict", Hint::verdict}, {"sweep", Hint::sweep}, {"tour", Hint::tour}};
 
 /// What another version wrote and this one does not know keeps its default.
 template <typename Settings>

@@ -36,8 +36,8 @@ struct WindowSettings {
 
 [[nodiscard]] std::span<const Option<WindowSettings>> window_options();
 
-/// What a newcomer is asked to do, in this order.
-enum class Hint : std::uint8_t { arrow, verdict, sweep };
+/// What a newcomer is asked to do, in this order; the tour is offered before all else.
+enum class Hint : std::uint8_t { arrow, verdict, sweep, tour };
 
 struct UserState {
   WindowSettings window;

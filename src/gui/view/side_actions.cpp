@@ -23,25 +23,6 @@ constexpr double k_same_undercut = 0.02;  // of the greater of two undercuts' si
 constexpr double k_same_cosine = 1.0 - 1e-9;
 constexpr double k_least_undercut_reach = 0.2;  // of what is seen around an undercut, unit frame
 
-/// Before the halves; lifters and inserts come with the part.
-bool goes_first(const SideAction& action) {
-  return action.kind != ActionKind::lifter && action.kind != ActionKind::insert && action.travel > 0.0;
-}
-
-/// The greatest travels of what moves before the halves, and after them.
-struct Ways {
-  double first = 0.0, last = 0.0;
-};
-Ways ways_of(const ActionPlan* plan) {
-  Ways ways;
-  if (plan == nullptr) return ways;
-  for (const SideAction& action : plan->actions) {
-    double& way = goes_first(action) ? ways.first : ways.last;
-    way = std::max(way, action.travel);
-  }
-  return ways;
-}
-
 /// How many pieces are removed one after the other; the halves count as one.
 double turns_of(const MoldOfPieces& pieces) {
   if (!pieces.has_solids()) return static_cast<double>(pieces.result->count());
@@ -78,13 +59,6 @@ std::string moving_text(const MoldOfPieces& pieces, double open) {
   const std::size_t direction = *std::ranges::find(solids, turn, &PieceSolid::sequence)->direction;
   return fmt::format("{}, {}", turn == 1 ? std::string("halves") : fmt::format("piece {}", direction + 1),
                      pull_words(pieces.solids->directions[direction]));
-}
-
-/// Ends of the three stages on the slider: what moves has as much of it as the others, however long its way.
-std::array<double, 3> stage_ends(const Ways& ways) {
-  const double slides = ways.first > 0.0 ? 1.0 : 0.0, lifters = ways.last > 0.0 ? 1.0 : 0.0;
-  const double stages = slides + 1.0 + lifters;
-  return {slides / stages, (slides + 1.0) / stages, 1.0};
 }
 
 }  // namespace
@@ -156,14 +130,6 @@ std::optional<std::size_t> own_direction(const ActionSettings& settings, const g
   return std::nullopt;
 }
 
-OpenedMold opened_mold(const ActionPlan* plan, double open) {
-  const auto ends = stage_ends(ways_of(plan));
-  const auto done = [&](double from, double to) {
-    return to > from ? std::clamp((open - from) / (to - from), 0.0, 1.0) : 0.0;
-  };
-  return {.slides = done(0.0, ends[0]), .halves = done(ends[0], ends[1]), .lifters = done(ends[1], ends[2])};
-}
-
 std::shared_ptr<const std::vector<ViewBody>> shown_bodies(const AppState& state) {
   if (const MoldOfPieces* pieces = shown_pieces(state)) return pieces->bodies;
   const auto& bodies = state.actions.bodies;
@@ -232,7 +198,7 @@ std::string opening_text(const AppState& state, double open) {
   const double diagonal = state.model->frame.diagonal;
   const ActionPlan* const plan = state.actions.plan.get();
   const OpenedMold opened = opened_mold(plan, open);
-  const Ways ways = ways_of(plan);
+  const OpeningWays ways = ways_of(plan);
   const auto text = [&](std::string_view what, double way) {
     return fmt::format("{}{}{} {}", what, what.empty() ? "" : " ", grouped(fmt::format("{:.1f}", way)),
                        length_unit(state.model->part));

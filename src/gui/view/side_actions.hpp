@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "actions/mold_opening.hpp"
 #include "gui/app_state.hpp"
 #include "gui/draw/ui.hpp"
 
@@ -37,15 +38,6 @@ void give_side_direction(ActionSettings& settings, const std::optional<glm::dvec
 [[nodiscard]] std::optional<std::size_t> own_direction(const ActionSettings& settings,
                                                        const glm::dvec3& direction);
 
-/// How far each has moved, [0, 1].
-struct OpenedMold {
-  double slides = 0.0;   // and unscrewing cores
-  double halves = 0.0;   // of k_mold_travel
-  double lifters = 0.0;  // with the ejection
-};
-/// What moves first, slides and unscrewing cores, the halves, or lifters, by how far the mold is opened, [0,
-/// 1]; halves alone where there is no plan. Each of them that moves has an equal share.
-[[nodiscard]] OpenedMold opened_mold(const ActionPlan* plan, double open);
 /// The bodies of the plan, or those of the mold of several pieces that is looked at; null for none.
 [[nodiscard]] std::shared_ptr<const std::vector<ViewBody>> shown_bodies(const AppState& state);
 /// Where each body of the plan is drawn, unit frame: in a mold that opens all of them, by how far it has; in

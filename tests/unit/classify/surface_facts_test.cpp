@@ -1,10 +1,10 @@
 // What is measured between two places.
+#include "classify/surface_facts.hpp"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "gui/view/surface.hpp"
-
-namespace moldlight::gui {
+namespace moldlight {
 namespace {
 
 TEST(Measured, TellsTheWayAlongAndAcrossTheDirection) {
@@ -27,4 +27,4 @@ TEST(Measured, KnowsParallelPlanes) {
 }
 
 }  // namespace
-}  // namespace moldlight::gui
+}  // namespace moldlight

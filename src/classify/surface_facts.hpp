@@ -14,7 +14,7 @@
 #include "render/part_view.hpp"
 #include "render/view_geometry.hpp"
 
-namespace moldlight::gui {
+namespace moldlight {
 
 /// Six points at this distance from the centre, along the axes.
 [[nodiscard]] inline std::vector<glm::vec3> points_around(const glm::vec3& centre, double reach) {
@@ -113,4 +113,4 @@ struct MeasuredPair {
 [[nodiscard]] MeasuredPair measured(const MeasuredPlace& a, const MeasuredPlace& b,
                                     const glm::dvec3& direction);
 
-}  // namespace moldlight::gui
+}  // namespace moldlight

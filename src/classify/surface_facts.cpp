@@ -1,4 +1,4 @@
-#include "gui/view/surface.hpp"
+#include "classify/surface_facts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "mold/exact_rays.hpp"
 #include "mold/map_frame.hpp"
 
-namespace moldlight::gui {
+namespace moldlight {
 
 /// Around a point, of which the shortest span is taken: an odd number, so that none is another one backwards.
 constexpr int k_span_ways = 61;
@@ -131,4 +131,4 @@ MeasuredPair measured(const MeasuredPlace& a, const MeasuredPlace& b, const glm:
   return pair;
 }
 
-}  // namespace moldlight::gui
+}  // namespace moldlight

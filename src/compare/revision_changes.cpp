@@ -1,11 +1,11 @@
-#include "gui/jobs/revision_state.hpp"
+#include "compare/revision_changes.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include <glm/geometric.hpp>
 
-namespace moldlight::gui {
+namespace moldlight {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::optional<std::size_t> nearest_change(const Revisions& revisions, const Revi
   return found;
 }
 
-}  // namespace moldlight::gui
+}  // namespace moldlight
