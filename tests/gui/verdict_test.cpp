@@ -111,6 +111,28 @@ TEST_F(Verdicts, AreDecidedOnceTheMeshIsRepaired) {
   EXPECT_TRUE(window_.app().controls().contains("Repair=full")) << "the panel has the choice, too";
 }
 
+TEST_F(Verdicts, OfferTheRepairAlsoWhereTheyAreDecided) {
+  TriangleMesh mesh = moldlight::test::plate_with_side_pocket({}).mesh;
+  // A small facet far from the pocket is missing: its undercut is certain, the mesh is open.
+  std::size_t least = 0;
+  const auto area = [&](std::size_t k) {
+    const auto& [a, b, c] = mesh.facets[k];
+    return glm::length(glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+  };
+  for (std::size_t k = 1; k < mesh.facets.size(); ++k)
+    if (area(k) < area(least)) least = k;
+  mesh.facets.erase(mesh.facets.begin() + static_cast<std::ptrdiff_t>(least));
+  open(mesh);
+  window_.settle();
+  ASSERT_GT(window_.state().model->health.open_edges, 0U);
+  click("verdict repair");
+  window_.wait_until_loaded();
+  window_.wait_until_measured();
+  window_.settle();
+  EXPECT_EQ(window_.state().model->health.open_edges, 0U) << "the hole is small";
+  EXPECT_FALSE(window_.app().controls().contains("verdict repair"));
+}
+
 class LongVerdicts : public Verdicts {
  protected:
   LongVerdicts() : Verdicts(100'000) {}

@@ -157,8 +157,9 @@ void draw_next(const PanelContext& context, const VerdictCard& card) {
   };
   const SweepState& sweep = context.state.sweep;
   const auto better = std::ranges::find_if(sweep.cards, &DirectionCard::offered);
-  if (card.verdict->state == VerdictState::unknown) {
-    const RepairLevel level = repair_that_helps(context.state);
+  const bool unknown = card.verdict->state == VerdictState::unknown;
+  const RepairLevel level = repair_that_helps(context.state);
+  if (unknown || level == RepairLevel::full) {
     if (level > context.state.reading.repair.level) {
       if (wide(level == RepairLevel::full ? "Repair the mesh" : "Unite what overlaps", "verdict repair"))
         context.edits.reading.repair.level = level;
