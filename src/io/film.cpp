@@ -241,7 +241,7 @@ class GifFilm final : public Film {
 
   AtomicFile file_;
   FilmSettings settings_;
-  std::vector<Rgb> shown_;  // as they were given
+  std::vector<Rgb> shown_;     // as they were given
   int count_ = 0, until_ = 0;  // until_: hundredths of a second
 };
 

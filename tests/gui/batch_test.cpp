@@ -114,12 +114,10 @@ TEST(BatchTable, OrdersAndFiltersRows) {
   share(2, 2.0);
   using Rows = std::vector<std::size_t>;
   EXPECT_EQ(batch::ordered_rows(rows, {}), (Rows{2, 0, 1})) << "what is not known comes last";
-  EXPECT_EQ(
-      batch::ordered_rows(rows, {.filter = {}, .column = batch::RowColumn::share, .descending = false}),
-      (Rows{0, 2, 1}));
-  EXPECT_EQ(
-      batch::ordered_rows(rows, {.filter = {}, .column = batch::RowColumn::part, .descending = false}),
-      (Rows{1, 0, 2}));
+  EXPECT_EQ(batch::ordered_rows(rows, {.filter = {}, .column = batch::RowColumn::share, .descending = false}),
+            (Rows{0, 2, 1}));
+  EXPECT_EQ(batch::ordered_rows(rows, {.filter = {}, .column = batch::RowColumn::part, .descending = false}),
+            (Rows{1, 0, 2}));
   EXPECT_EQ(batch::ordered_rows(
                 rows, {.filter = "C.STL done", .column = batch::RowColumn::share, .descending = true}),
             (Rows{2}));
