@@ -130,8 +130,9 @@ void draw_loading(const PanelContext& context) {
   if (!context.state.loading) return;
   const Ui& ui = context.ui;
   const Loading& loading = *context.state.loading;
-  constexpr double k_at_once_s = 0.3;  // what is there sooner is not announced
-  if (context.state.model && ui.now_s - loading.since_s < k_at_once_s) {
+  constexpr double k_at_once_s = 0.3;  // a body of a file that is in memory is there sooner: not announced
+  const bool in_memory = context.state.bodies.whole && loading.path == context.state.path;
+  if (in_memory && ui.now_s - loading.since_s < k_at_once_s) {
     ui.memory->wake_s = std::min(ui.memory->wake_s, loading.since_s + k_at_once_s);
     return;
   }
