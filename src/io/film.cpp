@@ -14,6 +14,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <gif_lib.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -30,76 +31,7 @@ namespace {
 // Of a GIF.
 constexpr std::size_t k_colours = 255;
 constexpr std::uint8_t k_unchanged = 255;  // the colour that is transparent
-constexpr unsigned k_least_code_bits = 8, k_most_code_bits = 12;
-constexpr unsigned k_clear = 1U << k_least_code_bits, k_end = k_clear + 1;
-constexpr int k_steps_bits = 5;  // of a channel, by which colours are told apart
-
-void append_word(std::string& bytes, unsigned value) {
-  bytes.push_back(static_cast<char>(value & 0xFFU));
-  bytes.push_back(static_cast<char>(value >> 8U & 0xFFU));
-}
-
-/// Codes of growing width, in blocks of at most 255 bytes.
-class CodeWriter {
- public:
-  explicit CodeWriter(std::string& bytes) : bytes_(bytes) {}
-
-  void write(unsigned code, unsigned bits) {
-    held_ |= code << held_bits_;
-    for (held_bits_ += bits; held_bits_ >= 8; held_bits_ -= 8, held_ >>= 8U)
-      block_.push_back(static_cast<char>(held_ & 0xFFU));
-    if (block_.size() >= k_block) flush(k_block);
-  }
-  void finish() {
-    if (held_bits_ > 0) block_.push_back(static_cast<char>(held_ & 0xFFU));
-    while (!block_.empty()) flush(std::min(block_.size(), k_block));
-    bytes_.push_back('\0');
-  }
-
- private:
-  static constexpr std::size_t k_block = 255;
-  void flush(std::size_t size) {
-    bytes_.push_back(static_cast<char>(size));
-    bytes_.append(block_, 0, size);
-    block_.erase(0, size);
-  }
-
-  std::string& bytes_;
-  std::string block_;
-  unsigned held_ = 0, held_bits_ = 0;
-};
-
-/// Welch's compression (1984) as GIF has it.
-void append_codes(std::string& bytes, const std::vector<std::uint8_t>& indices) {
-  bytes.push_back(static_cast<char>(k_least_code_bits));
-  CodeWriter writer(bytes);
-  // Of a known string and one more index: the code of both. A code has up to 256 followers.
-  std::vector<std::uint16_t> next(std::size_t{1} << (k_most_code_bits + 8), 0);
-  unsigned bits = k_least_code_bits + 1, free_code = k_end + 1;
-  writer.write(k_clear, bits);
-  unsigned known = indices.front();
-  for (std::size_t k = 1; k < indices.size(); ++k) {
-    const std::size_t both = known << 8U | indices[k];
-    if (next[both] != 0) {
-      known = next[both];
-      continue;
-    }
-    writer.write(known, bits);
-    if (free_code < 1U << k_most_code_bits) {
-      next[both] = static_cast<std::uint16_t>(free_code++);
-      if (free_code > 1U << bits && bits < k_most_code_bits) ++bits;
-    } else {
-      writer.write(k_clear, bits);
-      std::ranges::fill(next, std::uint16_t{0});
-      bits = k_least_code_bits + 1;
-      free_code = k_end + 1;
-    }
-    known = indices[k];
-  }
-  writer.write(known, bits);
-  writer.write(k_end, bits);
-  writer.finish();
-}
+constexpr int k_steps_bits = 5;            // of a channel, by which colours are told apart
 
 using Rgb = std::array<std::uint8_t, 3>;
 
@@ -184,21 +116,37 @@ Colours colours_of(const Image& picture) {
   return colours;
 }
 
+/// A file of giflib's, which is closed with it.
+using GifFile = std::unique_ptr<GifFileType, void (*)(GifFileType*)>;
+using GifColours = std::unique_ptr<ColorMapObject, void (*)(ColorMapObject*)>;
+
 class GifFilm final : public Film {
  public:
-  GifFilm(const std::string& path, const FilmSettings& settings) : file_(path), settings_(settings) {
-    std::string head = "GIF89a";
-    append_word(head, static_cast<unsigned>(settings.size.x));
-    append_word(head, static_cast<unsigned>(settings.size.y));
-    head += std::string("\x70\x00\x00", 3);                                  // colours come with each picture
-    head += std::string("\x21\xFF\x0BNETSCAPE2.0\x03\x01\x00\x00\x00", 19);  // without end
-    file_.write(head);
+  GifFilm(const std::string& path, const FilmSettings& settings)
+      : file_(path),
+        settings_(settings),
+        gif_(nullptr, [](GifFileType* gif) { EGifCloseFile(gif, nullptr); }) {
+    gif_.reset(EGifOpen(
+        &bytes_,
+        [](GifFileType* gif, const GifByteType* bytes, int size) {
+          static_cast<std::string*>(gif->UserData)
+              ->append(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size));
+          return size;
+        },
+        nullptr));
+    CHECK(gif_ != nullptr);
+    EGifSetGifVersion(gif_.get(), true);
+    put(EGifPutScreenDesc(gif_.get(), settings.size.x, settings.size.y, 8, 0, nullptr));
+    put(EGifPutExtensionLeader(gif_.get(), APPLICATION_EXT_FUNC_CODE));
+    put(EGifPutExtensionBlock(gif_.get(), 11, "NETSCAPE2.0"));
+    put(EGifPutExtensionBlock(gif_.get(), 3, "\x01\x00\x00"));  // without end
+    put(EGifPutExtensionTrailer(gif_.get()));
   }
 
   void add(const Image& picture) override {
     CHECK(picture.width == settings_.size.x && picture.height == settings_.size.y);
     const Colours colours = colours_of(picture);
-    std::vector<std::uint8_t> indices;
+    std::vector<GifByteType> indices;
     indices.reserve(picture.rgba.size() / 4);
     const bool first = shown_.empty();
     if (first) shown_.resize(picture.rgba.size() / 4);
@@ -209,28 +157,34 @@ class GifFilm final : public Film {
       indices.push_back(same ? k_unchanged : index);
       if (!same) before = {picture.rgba[k], picture.rgba[k + 1], picture.rgba[k + 2]};
     }
-    std::string bytes("\x21\xF9\x04\x05", 4);  // stays, with a transparent colour
     // Hundredths of a second do not divide by every rate: the sum stays right.
     const int until = static_cast<int>(std::lround(100.0 * ++count_ / settings_.rate));
-    append_word(bytes, static_cast<unsigned>(until - std::exchange(until_, until)));
-    bytes.push_back(static_cast<char>(k_unchanged));
-    bytes += std::string("\x00\x2C\x00\x00\x00\x00", 6);
-    append_word(bytes, static_cast<unsigned>(settings_.size.x));
-    append_word(bytes, static_cast<unsigned>(settings_.size.y));
-    bytes.push_back('\x87');  // 256 colours of its own
-    for (std::size_t k = 0; k <= k_colours; ++k)
-      for (std::size_t c = 0; c < 3; ++c)
-        bytes.push_back(k < colours.table.size() ? static_cast<char>(colours.table[k][c]) : '\0');
-    append_codes(bytes, indices);
-    file_.write(bytes);
+    const GraphicsControlBlock control = {.DisposalMode = DISPOSE_DO_NOT,
+                                          .UserInputFlag = false,
+                                          .DelayTime = until - std::exchange(until_, until),
+                                          .TransparentColor = k_unchanged};
+    std::array<GifByteType, 4> bytes{};
+    EGifGCBToExtension(&control, bytes.data());
+    put(EGifPutExtension(gif_.get(), GRAPHICS_EXT_FUNC_CODE, static_cast<int>(bytes.size()), bytes.data()));
+    const GifColours map(GifMakeMapObject(k_unchanged + 1, nullptr), GifFreeMapObject);
+    CHECK(map != nullptr);
+    for (std::size_t k = 0; k < colours.table.size(); ++k)
+      map->Colors[k] = {colours.table[k][0], colours.table[k][1], colours.table[k][2]};
+    put(EGifPutImageDesc(gif_.get(), 0, 0, settings_.size.x, settings_.size.y, false, map.get()));
+    put(EGifPutLine(gif_.get(), indices.data(), static_cast<int>(indices.size())));
+    file_.write(std::exchange(bytes_, {}));
   }
 
   void finish() override {
-    file_.write(";");
+    gif_.reset();  // which writes its end
+    file_.write(bytes_);
     file_.commit();
   }
 
  private:
+  /// It writes to memory.
+  static void put(int result) { CHECK(result == GIF_OK); }
+
   /// To noise.
   static bool is_like(const Rgb& shown, const std::uint8_t* pixel) {
     constexpr int k_near = 2;
@@ -241,6 +195,8 @@ class GifFilm final : public Film {
 
   AtomicFile file_;
   FilmSettings settings_;
+  std::string bytes_;  // not yet in the file
+  GifFile gif_;
   std::vector<Rgb> shown_;     // as they were given
   int count_ = 0, until_ = 0;  // until_: hundredths of a second
 };
