@@ -46,21 +46,52 @@ class Sharing {
     double radius = 0.0;
   };
 
-  /// All that join one that is there: those first that have no shorter way out elsewhere.
+  /// Of the pull of one undercut: which others have a shorter way out elsewhere, each asked once.
+  class Ways {
+   public:
+    Ways(const Sharing& sharing, std::size_t first, const Pull& pull)
+        : sharing_(sharing),
+          pull_(pull.direction),
+          out_(pull.way + glm::dot(sharing.balls_[first].centre, pull.direction)),
+          known_(sharing.balls_.size()) {}
+
+    [[nodiscard]] bool is_shorter_elsewhere(std::size_t k) {
+      if (!known_[k]) {
+        const double way = out_ - glm::dot(sharing_.balls_[k].centre, pull_);
+        known_[k] = std::ranges::any_of(sharing_.undercut_parts_[k].pulls, [&](const Pull& other) {
+          return is_slide(other.kind) && glm::dot(other.direction, pull_) < k_elsewhere &&
+                 other.way < k_shorter * way;
+        });
+      }
+      return *known_[k];
+    }
+
+   private:
+    const Sharing& sharing_;
+    glm::dvec3 pull_;
+    double out_;  // along it
+    std::vector<std::optional<bool>> known_;
+  };
+
+  /// All that join one that is there; slides are shared first with what has no shorter way out elsewhere.
   void add_group(std::vector<ActionOption>& options, std::size_t first, Pull pull) const {
+    const bool slide = is_slide(pull.kind);
     std::vector<std::size_t> group = {first};
-    const auto joins = [&](std::size_t near, std::size_t k) {
-      return std::ranges::find(group, k) == group.end() && undercut_parts_[k].allows(pull.kind) &&
-             (is_slide(pull.kind) ? join_slide(group, near, k, pull) : join_lifter(group, near, k, pull));
-    };
-    for (const bool any : {false, true}) {
+    Ways ways(*this, first, pull);
+    std::size_t tried = 0;  // beside so many of the group those were that come first
+    for (const bool rest : {false, true}) {
       for (std::size_t next = 0; next < group.size(); ++next) {
         for (std::size_t k = 0; k < undercut_parts_.size(); ++k) {
           pulls_.release().end_if_cancelled();
-          if ((any || !leaves_sooner_elsewhere(k, pull.direction)) && joins(group[next], k))
-            group.push_back(k);
+          if (std::ranges::find(group, k) != group.end() || !undercut_parts_[k].allows(pull.kind)) continue;
+          const bool joins = slide ? !are_far(group[next], k, pull.direction) &&
+                                         (ways.is_shorter_elsewhere(k) ? rest : !rest || next >= tried) &&
+                                         join_slide(group, group[next], k, ways, pull)
+                                   : !rest && join_lifter(group, group[next], k, pull);
+          if (joins) group.push_back(k);
         }
       }
+      tried = group.size();
     }
     if (group.size() < 2) return;
     std::ranges::sort(group);
@@ -69,9 +100,9 @@ class Sharing {
 
   /// Whether it goes with a group, beside one of it that is `near`; the pull then moves all of them.
   [[nodiscard]] bool join_slide(std::span<const std::size_t> group, std::size_t near, std::size_t k,
-                                Pull& pull) const {
-    if (are_far(near, k, pull.direction) || !may_share(group.front(), k, pull.direction) ||
-        !are_near(near, k, pull.direction) || is_far_in_line(group, k, pull.direction) ||
+                                Ways& ways, Pull& pull) const {
+    if (!may_share(group.front(), k, pull.direction) || !are_near(near, k, pull.direction) ||
+        is_far_in_line(group, k, pull.direction, ways) ||
         !pulls_.release().releases(undercut_parts_[k].samples, pull.direction, k_never))
       return false;
     Pull its = pull;
@@ -160,25 +191,17 @@ class Sharing {
   /// What lies behind another is reached through the steel between: a pin through knuckles, or through ribs,
   /// from each to the next, but not one through the core of a box to what has a shorter way out on its other
   /// side.
-  [[nodiscard]] bool is_far_in_line(std::span<const std::size_t> group, std::size_t k,
-                                    const glm::dvec3& pull) const {
+  [[nodiscard]] bool is_far_in_line(std::span<const std::size_t> group, std::size_t k, const glm::dvec3& pull,
+                                    Ways& ways) const {
     bool is_far = false;
     for (const std::size_t one : group) {
       const Spacing between = spacing(one, k, pull);
       if (!are_in_line(one, k, pull)) continue;
       if (between.gap <= k_bridged * between.longer) return false;
       const bool one_behind = glm::dot(balls_[one].centre, pull) < glm::dot(balls_[k].centre, pull);
-      is_far = is_far || leaves_sooner_elsewhere(one_behind ? one : k, pull);
+      is_far = is_far || ways.is_shorter_elsewhere(one_behind ? one : k);
     }
     return is_far;
-  }
-
-  [[nodiscard]] bool leaves_sooner_elsewhere(std::size_t k, const glm::dvec3& pull) const {
-    const double way = pulls_.release().reach(pull) - glm::dot(balls_[k].centre, pull);
-    return std::ranges::any_of(undercut_parts_[k].pulls, [&](const Pull& other) {
-      return is_slide(other.kind) && glm::dot(other.direction, pull) < k_elsewhere &&
-             other.way < k_shorter * way;
-    });
   }
 
   [[nodiscard]] bool are_near(std::size_t a, std::size_t b, const glm::dvec3& pull) const {

@@ -101,6 +101,37 @@ TEST(SlideWay, OfBoresThatCrossIsOutThroughEach) {
   }
 }
 
+/// Two windows in either of two walls, across from each other, which a core stands between.
+TEST(SlideWay, OfWindowsAcrossFromEachOtherIsOneSlideAWall) {
+  const glm::dvec3 low(0, 0, 0), high(30, 14, 8), inner_low(0, 1, 1), inner_high(30, 13, 7);
+  SolidBuilder solid;
+  solid.box(low, high, {0, 1, 4, 5});
+  solid.box(inner_low, inner_high, {0, 1, 4, 5}, true);
+  for (const int end : {0, 1})
+    solid.face(box_face(low, high, end), {box_face({low.x, 1, 1}, {high.x, 13, 7}, end)});
+  for (const int wall : {4, 5}) {
+    const double from = wall == 4 ? 0.0 : 7.0;
+    std::vector<test::Loop> outer, inner;
+    for (const double y : {3.0, 8.5}) {
+      const glm::dvec3 window_low(8, y, from), window_high(10.5, y + 2.5, from + 1.0);
+      outer.push_back(box_face(window_low, window_high, wall));
+      inner.push_back(box_face(window_low, window_high, 9 - wall));
+      solid.box(window_low, window_high, {4, 5}, true);
+    }
+    solid.face(box_face(low, high, wall), outer);
+    test::Loop inside = box_face(inner_low, inner_high, wall);
+    std::ranges::reverse(inside);
+    solid.face(inside, inner);
+  }
+  const Planned planned = plan_of(solid.mesh(), {}, {1, 0, 0});
+  ASSERT_EQ(actions_text(planned.plan), "2 slides");
+  for (const SideAction& action : planned.plan.actions) {
+    EXPECT_EQ(action.undercuts.size(), 2U);
+    EXPECT_NEAR(std::abs(action.direction.z), 1.0, 1e-9);
+    EXPECT_NEAR(action.travel, 1.0 + 3.0, 1e-3);
+  }
+}
+
 /// A hole in the one wall of a long plate leaves by the wall's side, not over the plate.
 TEST(SlideWay, OfAHoleInAWallIsTheShorterOne) {
   for (const bool at_far_end : {false, true}) {
