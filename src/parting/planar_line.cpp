@@ -116,8 +116,9 @@ MoldLine find_mold_line(const PartModel& model, const Query& query, const MoldSe
     if (tried.assignment.energy >= most + worth) return INFINITY;
     tried.line = parting_line(tried.assignment);
     const double climb = tried.line.outer_climb();
-    if ((!walls.hairs || is_planar(tried)) && cost_of(tried) < most &&
-        tried.line.loops.size() <= found.line.loops.size() && breaks_of(tried.line) <= breaks_of(found.line))
+    // A slide stands well on a plane, though the line is broken there: not on a step.
+    if ((is_planar(tried) || (!walls.hairs && breaks_of(tried.line) <= breaks_of(found.line))) &&
+        cost_of(tried) < most && tried.line.loops.size() <= found.line.loops.size())
       better.push_back(std::move(tried));
     return climb;
   };

@@ -48,6 +48,24 @@ TEST(PlanarLine, RunsRoundAPostAtItsTab) {
   }
 }
 
+/// A slide's pin may stand on the plane: the line is broken at both of its mouths, not stepped round them.
+TEST(PlanarLine, RunsIntoAHoleThatASlideForms) {
+  const glm::dvec3 size(10, 10, 60), tab_low(10, 4, 27), tab_high(13, 6, 33);
+  const glm::dvec3 hole_low(3, 0, 24), hole_high(7, 10, 36);
+  test::SolidBuilder solid;
+  solid.box({0, 0, 0}, size, {1, 2, 3});
+  solid.face(test::box_face({0, 0, 0}, size, 1), {test::box_face(tab_low, {10, 6, 33}, 1)});
+  solid.box(tab_low, tab_high, {0});
+  for (const int wall : {2, 3})
+    solid.face(test::box_face({0, 0, 0}, size, wall), {test::box_face(hole_low, hole_high, wall)});
+  solid.box(hole_low, hole_high, {2, 3}, true);
+  const MoldLine found = line_of(solid.mesh(), 50.0);
+  EXPECT_LT(climb(found.line), 1e-9);
+  EXPECT_NEAR(std::abs(found.line.outer_low - 30.0), 3.0, 1e-9) << "at the tab";
+  EXPECT_EQ(found.line.loops.front().breaks, 2U);
+  EXPECT_GT(found.assignment.area(MoldSide::action), 0.0);
+}
+
 TEST(PlanarLine, LeavesAnEdgeForWhatItIsWorthAlone) {
   const TriangleMesh block = block_with_tab({40, 30, 30}, 20, 26);
   EXPECT_NEAR(climb(line_of(block, 0.0).line), 4.0, 1e-9) << "from the upper edge to the tab";
