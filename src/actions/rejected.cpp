@@ -21,23 +21,31 @@ bool is_well_released(const ActionPlan& plan, std::size_t undercut) {
          });
 }
 
+/// Without the reason why it was.
+RejectedAction rejected_pull(const PartModel& model, const UndercutPart& undercut_part, const Pull& pull) {
+  const glm::dvec3 at(undercut_part.samples.front().position);
+  return {.undercut = undercut_part.undercut,
+          .kind = pull.kind,
+          .direction = pull.direction,
+          .travel = pull.travel * model.frame.diagonal,
+          .core_side = pull.core_side,
+          .place = model.frame.center + model.frame.diagonal * at,
+          .room = std::numeric_limits<double>::infinity()};
+}
+
 void add_lifters_without_room(const PartModel& model, std::span<const UndercutPart> undercut_parts,
                               ActionPlan& plan) {
-  const double diagonal = model.frame.diagonal;
   std::set<std::size_t> known;  // the whole undercut comes before its parts
   for (const UndercutPart& undercut_part : undercut_parts) {
     if (undercut_part.rejected.empty() || !known.insert(undercut_part.undercut).second ||
         is_well_released(plan, undercut_part.undercut))
       continue;
     const Pull& pull = undercut_part.rejected.front();
-    plan.rejected.push_back({.undercut = undercut_part.undercut,
-                             .kind = pull.kind,
-                             .direction = pull.direction,
-                             .travel = pull.travel * diagonal,
-                             .core_side = pull.core_side,
-                             .reason = pull.lack->reason,
-                             .place = model.frame.center + diagonal * glm::dvec3(pull.lack->at.position),
-                             .room = pull.lack->room * diagonal});
+    RejectedAction rejected = rejected_pull(model, undercut_part, pull);
+    rejected.reason = pull.lack->reason;
+    rejected.place = model.frame.center + model.frame.diagonal * glm::dvec3(pull.lack->at.position);
+    rejected.room = pull.lack->room * model.frame.diagonal;
+    plan.rejected.push_back(rejected);
   }
 }
 
@@ -58,20 +66,12 @@ void add_thin_pins(const PartModel& model, std::span<const UndercutPart> undercu
 
 void add_steep_slides(const PartModel& model, std::span<const UndercutPart> undercut_parts,
                       const glm::dvec3& direction, ActionPlan& plan) {
-  const double diagonal = model.frame.diagonal;
   for (const UndercutPart& undercut_part : undercut_parts) {
     if (!undercut_part.steep || is_well_released(plan, undercut_part.undercut)) continue;
-    const Pull& pull = *undercut_part.steep;
-    const UndercutSample& at = undercut_part.samples.front();
-    plan.rejected.push_back({.undercut = undercut_part.undercut,
-                             .kind = pull.kind,
-                             .direction = pull.direction,
-                             .travel = pull.travel * diagonal,
-                             .core_side = pull.core_side,
-                             .reason = RejectReason::too_steep,
-                             .place = model.frame.center + diagonal * glm::dvec3(at.position),
-                             .room = std::numeric_limits<double>::infinity(),
-                             .lean_deg = std::abs(elevation_deg(pull.direction, direction))});
+    RejectedAction rejected = rejected_pull(model, undercut_part, *undercut_part.steep);
+    rejected.reason = RejectReason::too_steep;
+    rejected.lean_deg = std::abs(elevation_deg(rejected.direction, direction));
+    plan.rejected.push_back(rejected);
   }
 }
 

@@ -46,8 +46,8 @@ struct DirectionCover {
 /// left to choose, do not reach enough in sum. The same for the same input.
 class CoverSearch {
  public:
-  /// `allowed` ascend; those that another is no worse than are left out. What the task looks at must outlive it.
-  /// Throws Cancelled.
+  /// `allowed` ascend; those that another is no worse than are left out. What the task looks at must outlive
+  /// it. Throws Cancelled.
   CoverSearch(const CoverTask& task, std::span<const std::size_t> allowed, const Progress& progress);
 
   /// A cover with no more columns than asked for, if there is one. Throws Cancelled.

@@ -102,8 +102,7 @@ Json solids_json(const PieceSolids& solids) {
   const MoldHalves& halves = solids.halves;
   Json refused, bodies = Json::array();
   if (!solids.refusal.empty()) {
-    refused = {{"why", solids.refusal},
-               {"place", point_json(solids.refused_at)}};
+    refused = {{"why", solids.refusal}, {"place", point_json(solids.refused_at)}};
   }
   for (std::size_t k = 0; k < solids.solids.size(); ++k) {
     const auto& [direction, travel, sequence] = solids.solids[k];
