@@ -135,7 +135,13 @@ void App::add_to_film(const ViewTarget& target) {
                 gl::read_colours(context_->functions(), target.framebuffer, target.size)};
   if (target.size.x > k_widest_film) picture = halved(picture);
   if (glm::ivec2(picture.width, picture.height) != film_size_) return end_presenting();  // another window
-  film_->add(picture);
+  try {
+    film_->add(picture);
+  } catch (const Error& error) {  // such as that of a full disk
+    say(error.what(), true);
+    film_.reset();
+    end_presenting();
+  }
 }
 
 void App::finish_film() {

@@ -31,7 +31,7 @@ namespace {
 // Of a GIF.
 constexpr std::size_t k_colours = 255;
 constexpr std::uint8_t k_unchanged = 255;  // the colour that is transparent
-constexpr int k_steps_bits = 5;            // of a channel, by which colours are told apart
+constexpr int k_steps_bits = 5;            // of a channel, by which colours are distinguished
 
 using Rgb = std::array<std::uint8_t, 3>;
 

@@ -72,19 +72,26 @@ FaceNumbers::FaceNumbers(const gl::Functions& gl, std::span<const std::uint32_t>
     : buffer_(gl::make_buffer(gl, GL_TEXTURE_BUFFER, of_facet)),
       texels_(gl::make_buffer_texture(gl, GL_R32UI, buffer_)) {}
 
+namespace {
+
+std::optional<TriangleBuffer> some_solids(const gl::Functions& gl, const ViewGeometry& geometry) {
+  if (geometry.all_solid) return std::nullopt;
+  return std::optional<TriangleBuffer>(std::in_place, gl, geometry.vertices, geometry.solids);
+}
+
+}  // namespace
+
 ViewMesh::ViewMesh(const gl::Functions& gl, const ViewGeometry& geometry)
     : facets(gl, geometry.vertices, geometry.facets),
       closed(geometry.closed),
+      some_solid(some_solids(gl, geometry)),
       extremes(geometry.extremes),
-      feature_edges(gl, geometry.feature_edges) {
-  if (!geometry.all_solid) some_solid.emplace(gl, geometry.vertices, geometry.solids);
-}
+      feature_edges(gl, geometry.feature_edges) {}
 
 void ViewMesh::take(const gl::Functions& gl, const ViewGeometry& geometry) {
   facets = TriangleBuffer(gl, geometry.vertices, geometry.facets);
   feature_edges = SegmentBuffer(gl, geometry.feature_edges);
-  some_solid.reset();
-  if (!geometry.all_solid) some_solid.emplace(gl, geometry.vertices, geometry.solids);
+  some_solid = some_solids(gl, geometry);
 }
 
 }  // namespace moldlight

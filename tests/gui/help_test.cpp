@@ -68,6 +68,23 @@ TEST(Tour, GoesThroughTheStepsOfTheLidInAMinuteAndNeverAgain) {
   EXPECT_FALSE(window.state().tour) << "never again";
 }
 
+TEST(Tour, EndsForWhoGoesElsewhere) {
+  OffscreenOptions options = quick_options();
+  options.user.window.motion = options.user.window.quick_sweep = false;
+  options.shipped_parts = {(moldlight::test::asset_folder() / "parts" / "enclosure_lid.stl").string()};
+  OffscreenWindow window(options);
+  window.app().show_hints(true);
+  window.app().offer_tour();
+  window.wait_until_loaded();
+  window.wait_until_measured();
+  window.frames(3);
+  ASSERT_TRUE(window.state().tour);
+  window.press_key({.key = '6'});
+  window.frames(3);
+  EXPECT_EQ(window.state().step, Step::mold);
+  EXPECT_FALSE(window.state().tour);
+}
+
 TEST(Tour, IsSkipped) {
   OffscreenOptions options = quick_options();
   options.user.window.motion = options.user.window.quick_sweep = false;

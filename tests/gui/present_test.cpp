@@ -108,6 +108,21 @@ TEST_F(Presenting, IsWrittenAsAFilm) {
   EXPECT_EQ(state().toasts.back().text, "Film saved as " + part.output("cup.gif"));
 }
 
+TEST_F(Presenting, EndsWithAMessageWhereTheDiskIsFull) {
+  std::filesystem::create_symlink("/dev/full", part.output("cup.gif"));
+  enter(Step::report);
+  click("film");
+  click("Make it");
+  ASSERT_TRUE(state().presented);
+  for (int k = 0; k < 2000 && state().presented; ++k) window.frame();
+  EXPECT_FALSE(state().presented);
+  ASSERT_FALSE(state().toasts.empty());
+  EXPECT_NE(state().toasts.back().text.find("cannot be written"), std::string::npos)
+      << state().toasts.back().text;
+  window.settle();
+  EXPECT_TRUE(window.app().controls().contains("panel Report")) << "the window goes on";
+}
+
 TEST_F(Presenting, ReportsBeginWithTheViewsThatWereAdded) {
   enter(Step::report);
   click("Add this view");

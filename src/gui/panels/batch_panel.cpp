@@ -16,13 +16,11 @@ constexpr float k_batch_row = 42.0F, k_thumbnail_width = 60.0F, k_unit_width = 4
                 k_batch_filter = 220.0F, k_least_texts = 380.0F;
 constexpr float k_batch_share = 0.24F, k_batch_alone = 0.6F;  // of the window's height, beside a part or none
 
-/// As the verdict's card has it.
 VerdictLight light_of(const batch::PartResult& row) {
-  VerdictCard card{.verdict = Verdict(), .sentence = {}};
   const auto state = std::ranges::find(k_verdict_states, row.verdict);
-  if (state == k_verdict_states.end()) return VerdictLight::gray;
-  card.verdict->state = static_cast<VerdictState>(state - k_verdict_states.begin());
-  return card.light();
+  return state == k_verdict_states.end()
+             ? VerdictLight::gray
+             : light_of(static_cast<VerdictState>(state - k_verdict_states.begin()));
 }
 
 void BatchPanel::draw(const PanelContext& context, const BatchPicture& picture) {

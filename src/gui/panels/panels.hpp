@@ -166,6 +166,8 @@ struct VerdictCard {
   [[nodiscard]] VerdictLight light() const;
 };
 [[nodiscard]] VerdictCard verdict_card(const AppState& state);
+/// Of a verdict where nothing else is seen of its part.
+[[nodiscard]] VerdictLight light_of(VerdictState state);
 [[nodiscard]] ImU32 light_colour(VerdictLight light);
 
 /// "1 slide, 2 lifters · 49.2 mm² unreleased"; what comes of the plan of side actions.

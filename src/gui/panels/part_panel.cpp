@@ -60,7 +60,7 @@ void draw_body(const PanelContext& context, const PictureOf& pictures, std::size
   draw_text(list, {ui.fonts.body, seen ? ui.colours->text : ui.colours->muted}, {left, row.min.y + ui.px(5)},
             fitted(ui.fonts.body, name, room));
   const auto& verdict = bodies.verdicts[k];
-  const VerdictLight light = VerdictCard{.verdict = verdict, .sentence = {}}.light();
+  const VerdictLight light = verdict ? light_of(verdict->state) : VerdictLight::gray;
   list.AddCircleFilled({left + ui.px(4), row.max.y - ui.px(13)}, ui.px(4), light_colour(light));
   draw_text(list, ui.note(), {left + ui.px(13), row.max.y - ui.px(7) - ui.fonts.small.size},
             fitted(ui.fonts.small, verdict ? verdict_words(*verdict, bodies.whole->model->part) : "…",

@@ -235,12 +235,16 @@ VerdictCard verdict_card(const AppState& state) {
   return card;
 }
 
+VerdictLight light_of(VerdictState state) {
+  if (state == VerdictState::two_plate) return VerdictLight::green;
+  if (state == VerdictState::side_actions) return VerdictLight::amber;
+  // Else nobody has asked yet what releases the undercuts, or they are not known.
+  return state == VerdictState::not_releasable ? VerdictLight::red : VerdictLight::gray;
+}
+
 VerdictLight VerdictCard::light() const {
   if (!verdict) return VerdictLight::gray;
-  if (verdict->good()) return red ? VerdictLight::amber : VerdictLight::green;
-  if (verdict->state == VerdictState::side_actions) return VerdictLight::amber;
-  // Else nobody has asked yet what releases the undercuts, or they are not known.
-  return verdict->state == VerdictState::not_releasable ? VerdictLight::red : VerdictLight::gray;
+  return verdict->good() && red ? VerdictLight::amber : light_of(verdict->state);
 }
 
 void draw_verdict(const PanelContext& context) {

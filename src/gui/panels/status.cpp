@@ -56,7 +56,7 @@ struct TourStop {
 };
 constexpr TourStop k_tour[] = {
     {Step::direction, "core arrow", "The mold opens along this arrow. Drag its tip.", {1.0F, 0.0F}},
-    {Step::direction, "verdict", "What the mold takes, in one sentence", {-1.0F, 0.0F}},
+    {Step::direction, "verdict", "The verdict on this direction, in one sentence", {-1.0F, 0.0F}},
     {Step::direction, "panel Direction", "Better directions come here. Click a card.", {1.0F, 0.0F}},
     {Step::undercuts, "panel Undercuts", "Each undercut, with what releases it", {1.0F, 0.0F}},
     {Step::parting_line, "panel Parting line", "Where the halves meet. Drag the handle.", {1.0F, 0.0F}},
@@ -97,8 +97,12 @@ void draw_tour(const PanelContext& context) {
   const Ui& ui = context.ui;
   auto& tour = context.edits.tour;
   const TourStop& stop = k_tour[tour->stop];
-  if (tour->since_s == 0.0) tour->since_s = ui.now_s;
-  context.edits.enter(stop.step);
+  if (tour->since_s == 0.0) {
+    tour->since_s = ui.now_s;
+    context.edits.enter(stop.step);
+  } else if (context.state.step != stop.step) {
+    return tour.reset();  // who goes elsewhere needs no guide
+  }
   const auto control = ui.memory->controls.find(stop.control);
   std::optional<std::size_t> pressed;
   if (control != ui.memory->controls.end())
@@ -109,7 +113,7 @@ void draw_tour(const PanelContext& context) {
   ui.memory->wake_s = std::min(ui.memory->wake_s, tour->since_s + k_stop_s);
   if (pressed == 1) return tour.reset();
   if (!pressed && ui.now_s < tour->since_s + k_stop_s) return;
-  tour = {.stop = tour->stop + 1, .since_s = ui.now_s};
+  tour = {.stop = tour->stop + 1};
   if (tour->stop == std::size(k_tour)) tour.reset();
 }
 

@@ -151,7 +151,7 @@ class _Process:
                 while data:
                     data = data[self._child.stdin.write(data):]
         except BrokenPipeError:
-            pass  # the answer tells why
+            pass  # the answer gives the reason
 
     def _receive(self):
         # A signal's handler may raise between two looks; what was read stays.
