@@ -86,10 +86,15 @@ void keep_rejected(const PartModel& model, std::span<const UndercutPart> undercu
   std::ranges::copy_if(rings, std::back_inserter(plan.rejected),
                        [&](const RejectedAction& ring) { return !is_well_released(plan, ring.undercut); });
   for (RejectedAction& rejected : hitting) {
-    const bool known = std::ranges::any_of(plan.rejected, [&](const RejectedAction& other) {
+    const auto known = std::ranges::find_if(plan.rejected, [&](const RejectedAction& other) {
       return other.undercut == rejected.undercut && other.kind == rejected.kind;
     });
-    if (!known && !is_well_released(plan, rejected.undercut)) plan.rejected.push_back(rejected);
+    if (known == plan.rejected.end() && !is_well_released(plan, rejected.undercut)) {
+      plan.rejected.push_back(rejected);
+    } else if (known != plan.rejected.end() && known->reason == RejectReason::no_room &&
+               rejected.travel < known->travel) {
+      *known = rejected;  // the shorter one had room
+    }
   }
   std::ranges::stable_sort(plan.rejected, {}, &RejectedAction::undercut);
 }

@@ -65,9 +65,8 @@ class LayingWork {
   void add(std::uint64_t looks) {
     if ((done_ += looks) > most_)
       throw Error(
-          "too much surface lies at each place to compare the parts; unite the bodies of each (--repair "
-          "union), "
-          "take one of them (--body), or raise --effort");
+          "too much surface lies at each place to compare the parts; unite the bodies of each "
+          "(--repair union), take one of them (--body), or raise --effort");
   }
   [[nodiscard]] std::uint64_t done() const { return done_; }
 

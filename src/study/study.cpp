@@ -113,9 +113,8 @@ std::shared_ptr<const MoldLine> Asked<MoldLine>::find(Study& study, const Progre
   auto line = shared(find_mold_line(study.model(), asked.query, asked.mold, progress));
   if (line->assignment.sampled)
     throw Error(study.model().part.file +
-                ": too many of its facets cross others to find a parting line; unite its bodies (--repair "
-                "union), take one "
-                "of them (--body), or raise --effort");
+                ": too many of its facets cross others to find a parting line; unite its bodies "
+                "(--repair union), take one of them (--body), or raise --effort");
   return line;
 }
 

@@ -18,6 +18,20 @@ Planned hook_with(double ahead, double section_mm = ActionSettings().lifter_sect
   return plan_of(box_with_hook(3.0, ahead, 0.5), settings);
 }
 
+/// Each hook hides a sixth of the wall that both stand on: the wall is the core's, not a lifter's.
+TEST(Lifter, HeadIsNoWiderThanTheHookThatItFrees) {
+  const Planned planned = plan_of(box_with_hooks(3.0, 20.0, 40.0, {4.0, 26.0}));
+  ASSERT_EQ(actions_text(planned.plan), "2 lifters");
+  EXPECT_EQ(planned.plan.unreleased_area, 0.0);
+  for (const SideAction& action : planned.plan.actions) {
+    ASSERT_TRUE(action.body);
+    EXPECT_FALSE(action.body->hit);
+    Bounds box;
+    for (const glm::dvec3& point : action.body->solid->vertices) box.add(point);
+    EXPECT_NEAR(box.max.y - box.min.y, k_hook_width, 0.1);
+  }
+}
+
 /// It stands beyond the hook, leans back beside it by 2 tan(8°) = 0.28, and travels by 3.
 TEST(Stem, StandsBeforeAHookAsFarAsTheWallAcrossAllows) {
   for (const double section : {1.0, 3.0, 4.0}) {
