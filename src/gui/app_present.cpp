@@ -116,13 +116,13 @@ void App::go_on_presenting() {
   Presented& shown = *state_.presented;
   const double since_s = now_s_ - std::exchange(presented_last_s_, now_s_);
   // Made while the part is shown; the mold opens when all of it is there.
-  const bool waits = state_.presented->time_s >= presentation_->opens_s() && measuring();
+  const bool waits = shown.time_s >= presentation_->opens_s() && measuring();
   if (!waits) shown.time_s += film_ ? 1.0 / k_film_rate : shown.paused ? 0.0 : since_s;
-  shown.share = shown.time_s / presentation_->length_s();
+  const bool at_end = shown.time_s >= presentation_->length_s();
   shown.recording = film_ != nullptr;
   film_waits_ = waits;
-  if (shown.share >= 1.0 && film_) finish_film();
-  if (shown.share >= 1.0 || (ImGui::IsMouseClicked(0) && !film_)) return end_presenting();
+  if (at_end && film_) finish_film();
+  if (at_end || (ImGui::IsMouseClicked(0) && !film_)) return end_presenting();
   const Moment moment = presentation_->at(shown.time_s);
   shown.caption = moment.caption;
   state_.camera = moment.camera;

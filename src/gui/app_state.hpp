@@ -193,7 +193,7 @@ struct Toast {
 /// Of a presentation that runs.
 struct Presented {
   std::string caption;
-  double time_s = 0.0, share = 0.0;  // since it began, of the whole
+  double time_s = 0.0;  // since it began
   bool paused = false, recording = false;
 };
 
