@@ -195,6 +195,25 @@ TEST(PartingLine, OfACupIsItsRim) {
 }
 
 /// Two steps: the line may run along the lower one's edge or around the foot, level in any case.
+/// Both ends of its walls are as long and as level: only the rim's spares a half the slot as narrow as they
+/// are.
+TEST(PartingLine, OfABoxWithoutDraftIsAtItsOpenSide) {
+  for (const bool open_above : {true, false}) {
+    const glm::dvec3 low(0, 0, 0), high(80, 60, 25), void_low(2, 2, open_above ? 2 : 0),
+        void_high(78, 58, open_above ? 25 : 23);
+    const int side = open_above ? 5 : 4;
+    test::SolidBuilder solid;
+    solid.box(low, high, {side});
+    solid.box(void_low, void_high, {side}, true);
+    solid.face(test::box_face(low, high, side), {test::box_face(void_low, void_high, side)});
+    const Found found = find(solid.mesh());
+    ASSERT_EQ(found.line.loops.size(), 1U);
+    EXPECT_NEAR(found.line.outer_low, open_above ? 25.0 : 0.0, 1e-9);
+    EXPECT_NEAR(found.line.outer_high, open_above ? 25.0 : 0.0, 1e-9);
+    EXPECT_NEAR(found.line.length, 280.0, 1e-9);
+  }
+}
+
 TEST(PartingLine, OfASteppedBlockIsLevel) {
   test::SolidBuilder builder;
   builder.extrude({{0, 0}, {8, 0}, {8, 2}, {5, 2}, {5, 4}, {0, 4}}, {}, 3.0);
