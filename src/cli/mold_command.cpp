@@ -108,15 +108,15 @@ void add_mold_command(CLI::App& program, Request& request) {
       *command, *flags,
       "Write the part of a STEP file as STEP: its exact faces, split at the parting line, each with "
       "the name, colour and layer of what forms it, the line as wires, and the parting surface");
-  CLI::Option* folder =
-      add_file_flag(*command, flags->folder,
-                    {"-o,--out", "DIR",
-                     "Write the bodies to this folder: core.stl, cavity.stl, with --actions slide_1.stl and "
-                     "so on, and with --actions or --fill-undercut insert_1.stl and so on"});
+  CLI::Option* folder = add_file_flag(
+      *command, flags->folder,
+      {"-o,--out", "DIR",
+       "Write the bodies to this folder: core.stl, cavity.stl, with --actions slide_1.stl, lifter_1.stl and "
+       "so on, and with --actions or --fill-undercut insert_1.stl and so on"});
   add_mold_file_flags(*command, flags->solids, folder);
-  command->add_flag(
-      "--actions", flags->with_actions,
-      "Find the side actions, make solids of the slides, and list the inserts that move with other actions");
+  command->add_flag("--actions", flags->with_actions,
+                    "Find the side actions, make solids of slides and lifters, and list the inserts that "
+                    "move with other actions");
   CLI::Option* image = add_study_outputs(
       *command, *flags, request, "Write a picture of the part with its parting line and the opened halves");
   for (const std::string_view key : {"view", "theme"})

@@ -257,15 +257,16 @@ class Trial {
     return {area * frame_.diagonal * frame_.diagonal, frame_.in_part(*at)};
   }
 
+  [[nodiscard]] BodySheets half_sheets(bool core) const {
+    return core ? BodySheets{k_upper | k_parting, k_upper | k_parting, halves_.block_low, halves_.block_high}
+                : BodySheets{k_lower | k_parting, k_lower, halves_.block_low, halves_.block_high};
+  }
+
   /// Core and cavity with the block around them, and what bounds the inserts.
   std::optional<MoldFault> make_bodies() {
     Facets core, cavity;
     for (const auto& [body, bounded] :
-         {std::pair{
-              BodySheets{k_upper | k_parting, k_upper | k_parting, halves_.block_low, halves_.block_high},
-              &core},
-          {BodySheets{k_lower | k_parting, k_lower, halves_.block_low, halves_.block_high}, &cavity},
-          {k_fill, &fill_}}) {
+         {std::pair{half_sheets(true), &core}, {half_sheets(false), &cavity}, {k_fill, &fill_}}) {
       if (const auto at = close_upright(sheets_, body, *bounded))
         return MoldFault{
             bounded == &fill_ ? "the walls of an insert do not close" : "the walls of a half do not close",
@@ -328,10 +329,48 @@ class Trial {
       return p.blanks.empty() ? p.volume > q.volume : p.blanks < q.blanks;
     });
     std::size_t loose = 0;
-    for (MoldBody& body : halves_.inserts)
-      body.name = body.blanks.empty() ? fmt::format("insert_{}", ++loose)
-                                      : fmt::format("slide_{}", body.blanks.front() + 1);
+    for (MoldBody& body : halves_.inserts) {
+      body.kind = body.blanks.empty() ? PieceKind::insert : PieceKind::slide;
+      body.name = fmt::format("{}_{}", piece_name(body.kind),
+                              1 + (body.blanks.empty() ? loose++ : body.blanks.front()));
+    }
+    join_lifted();
     return std::nullopt;
+  }
+
+  /// The halves with the inserts that lifters form: what these hide is theirs.
+  void join_lifted() {
+    constexpr double k_same = 1e-4;
+    for (const bool core : {true, false}) {
+      Sheets sheets = sheets_;
+      std::vector<std::uint8_t> lifted(sheets.vertices.size(), 0);
+      bool any = false;
+      for (const Facets& facets : connected_bodies(sheets.vertices.size(), fill_)) {
+        const bool is_its = std::ranges::any_of(asked_.beside.lifted, [&](const LiftedInsert& insert) {
+          return insert.core_side == core && std::ranges::any_of(facets, [&](const auto& facet) {
+                   return std::ranges::any_of(facet, [&](SheetVertex v) {
+                     return glm::distance(sheets.vertices[v], insert.corner) < k_same;
+                   });
+                 });
+        });
+        if (!is_its) continue;
+        any = true;
+        for (const auto& facet : facets) {
+          for (const SheetVertex v : facet) lifted[v] = 1;
+        }
+      }
+      if (!any) continue;
+      for (SheetFacet& facet : sheets.facets) {
+        const auto is_lifted = [&](SheetVertex v) { return lifted[v] != 0; };
+        if (facet.sheet == Sheet::hidden && std::ranges::all_of(facet.corners, is_lifted))
+          facet.sheet = core ? Sheet::upper : Sheet::lower;
+      }
+      Facets half;
+      if (close_upright(sheets, half_sheets(core), half)) continue;
+      add_block(sheets, block_, core, half);
+      MoldBody body = scaled_body(sheets.vertices, half, frame_.diagonal * halves_.scale);
+      if (body.open_edges == 0) halves_.with_lifted[core ? 0 : 1] = std::move(body.mesh);
+    }
   }
 
   void keep_surface() {

@@ -23,16 +23,25 @@ struct MeetingPlace {
   return {line.assignment.height, &line.line, &line.assignment};
 }
 
-/// Bodies beside the part that slides are cut from, with the block whose sides they reach.
+/// A corner of an insert that a half is to have, too, in the mold's frame, in diagonals.
+struct LiftedInsert {
+  glm::dvec3 corner{0.0};
+  bool core_side = true;
+};
+
+/// Bodies beside the part that slides are cut from, with the block whose sides they reach; and what lifters
+/// are cut from.
 struct Beside {
   std::vector<SlideBlank> blanks;
+  std::vector<LiftedInsert> lifted = {};
   glm::dvec2 low{0.0}, high{0.0};  // in the mold's frame, in diagonals
   double margin = 0.0;             // what MoldHalves::margin says of that block
 };
 
 /// The halves for a unit direction, whatever the undercut. Faces given to a half by hand, as the settings
 /// have them, outweigh the place. Throws UsageError for faces that the part has not and for a margin without
-/// bounds, Cancelled. With `beside` they leave the room of its bodies, too.
+/// bounds, Cancelled. With `beside` they leave the room of its bodies, too, and there are halves with what
+/// lifters form.
 [[nodiscard]] MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction,
                                      const MeetingPlace& place, const MoldSettings& settings,
                                      const Progress& progress, const Beside& beside = {});

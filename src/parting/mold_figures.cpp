@@ -88,6 +88,16 @@ constexpr FigureRow<WrittenBody> k_written_figures[] = {
     {"crowded_edges", "", Kind::count, member<&WrittenBody::nonmanifold_edges>},
 };
 
+template <PieceKind k_kind>
+Found number_of_pieces(const MoldHalves& halves) {
+  const std::size_t count = halves.count(k_kind);
+  return count > 0 ? Found(number_of(count)) : std::nullopt;
+}
+template <PieceKind k_kind>
+Found volume_of(const MoldHalves& halves) {
+  return halves.count(k_kind) > 0 ? Found(halves.volume(k_kind)) : std::nullopt;
+}
+
 constexpr FigureRow<MoldBody> k_half_figures[] = {
     {"crossed_facets", "", Kind::count, member<&MoldBody::crossed_facets>},
     {"needles", "", Kind::count, member<&MoldBody::needles>},
@@ -100,19 +110,13 @@ constexpr FigureRow<MoldHalves> k_halves_figures[] = {
     {"halves/upright_volume", "Added to the part", Kind::volume, member<&MoldHalves::upright_volume>,
      "to set walls upright that lean back by less than two lateral tolerances", details},
     {"halves/insert_volume", "", Kind::volume,
-     [](const MoldHalves& h) -> Found { return h.insert_volume - h.slide_volume(); }},
-    {"", "Inserts", Kind::volume,
-     [](const MoldHalves& h) -> Found { return h.insert_volume - h.slide_volume() - h.specks_volume; }, "",
-     unless_nothing},
-    {"", "Number of inserts", Kind::count,
-     [](const MoldHalves& h) -> Found { return number_of(h.inserts.size() - h.slide_count()); }, "",
-     unless_nothing},
-    {"halves/slide_volume", "Slides", Kind::volume,
-     [](const MoldHalves& h) { return h.slide_count() > 0 ? Found(h.slide_volume()) : std::nullopt; }},
-    {"", "Number of slides", Kind::count,
-     [](const MoldHalves& h) {
-       return h.slide_count() > 0 ? Found(number_of(h.slide_count())) : std::nullopt;
-     }},
+     [](const MoldHalves& h) -> Found { return h.volume(PieceKind::insert) + h.specks_volume; }},
+    {"", "Inserts", Kind::volume, volume_of<PieceKind::insert>},
+    {"", "Number of inserts", Kind::count, number_of_pieces<PieceKind::insert>},
+    {"halves/slide_volume", "Slides", Kind::volume, volume_of<PieceKind::slide>},
+    {"", "Number of slides", Kind::count, number_of_pieces<PieceKind::slide>},
+    {"halves/lifter_volume", "Lifters", Kind::volume, volume_of<PieceKind::lifter>},
+    {"", "Number of lifters", Kind::count, number_of_pieces<PieceKind::lifter>},
     {"volume_gap", "Volume check", Kind::gap, member<&MoldHalves::volume_gap>,
      "of the block, the difference of block, part and pieces", details},
     {"surfaces/parting", "Parting surface", Kind::area,

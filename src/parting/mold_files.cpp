@@ -107,6 +107,10 @@ glm::dvec3 written_pull(const MoldHalves& halves, const WrittenMold& mold, std::
   return sign * written_up(halves, mold);
 }
 
+MoldBody& body_of(MoldHalves& halves, std::size_t number) {
+  return number == 0 ? halves.core : number == 1 ? halves.cavity : halves.inserts[number - 2];
+}
+
 /// From the bodies' frame to that of the files.
 glm::dvec3 written_place(const MoldHalves& halves, bool part_frame, const glm::dvec3& at) {
   return part_frame ? halves.scale * halves.centre + halves.frame.to_part(at) : at;
@@ -189,7 +193,7 @@ WrittenMold written_mold(const MoldHalves& halves) {
 
 std::size_t mend_crossed(MoldHalves& halves, std::size_t number, double thinnest, const Progress& progress) {
   TriangleMesh& mesh = halves.written.bodies[number].mesh;
-  MoldBody& body = number == 0 ? halves.core : number == 1 ? halves.cavity : halves.inserts[number - 2];
+  MoldBody& body = body_of(halves, number);
   std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
   std::size_t mended = 0;
   if (!crossed.empty()) {
@@ -212,22 +216,30 @@ std::size_t mend_crossed(MoldHalves& halves, std::size_t number, double thinnest
   return mended;
 }
 
-bool put_insert(MoldHalves& halves, std::size_t insert, MoldBody body, double thinnest,
-                const Progress& progress) {
+bool put_body(MoldHalves& halves, std::size_t number, MoldBody body, double thinnest,
+              const Progress& progress) {
   std::optional<glm::dvec3> open_at;
-  WrittenBody written = written_body(halves, body, halves.written, glm::dvec3(0.0), open_at);
+  WrittenBody written =
+      written_body(halves, body, halves.written, written_pull(halves, halves.written, number), open_at);
   if (!written.closed) return false;
-  if (insert == halves.inserts.size()) {
+  if (number < 2) {
+    const WrittenBody& known = halves.written.bodies[number];
+    written.undercut = known.undercut;
+    written.leaning = known.leaning;
+    body.nonmanifold_edges = written.nonmanifold_edges;
+    body.needles = find_needles(written.mesh, thinnest).count;
+  } else if (number - 2 == halves.inserts.size()) {
     halves.inserts.emplace_back();
     halves.written.bodies.emplace_back();
   }
-  std::swap(halves.inserts[insert], body);
-  std::swap(halves.written.bodies[insert + 2], written);
-  mend_crossed(halves, insert + 2, thinnest, progress);
-  if (halves.inserts[insert].crossed_facets == 0) return true;
-  std::swap(halves.inserts[insert], body);
-  std::swap(halves.written.bodies[insert + 2], written);
-  if (halves.inserts[insert].mesh.facets.empty()) {
+  MoldBody& place = body_of(halves, number);
+  std::swap(place, body);
+  std::swap(halves.written.bodies[number], written);
+  mend_crossed(halves, number, thinnest, progress);
+  if (place.crossed_facets == 0) return true;
+  std::swap(place, body);
+  std::swap(halves.written.bodies[number], written);
+  if (place.mesh.facets.empty()) {
     halves.inserts.pop_back();
     halves.written.bodies.pop_back();
   }
@@ -257,8 +269,8 @@ void write_mold(const std::string& folder, const MoldFileSettings& settings, con
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().stem().string();
     const bool numbered = name.find_last_not_of("0123456789_") == name.find('_') - 1;
-    const bool ours =
-        std::ranges::any_of(std::array{"slide_", "insert_", "piece_", "left_"}, [&](const char* kind) {
+    const bool ours = std::ranges::any_of(
+        std::array{"slide_", "lifter_", "insert_", "piece_", "left_"}, [&](const char* kind) {
           return numbered && name.starts_with(kind) && entry.path().extension() == ".stl";
         });
     if (!ours || std::ranges::find(mold.bodies, name, &WrittenBody::name) != mold.bodies.end()) continue;

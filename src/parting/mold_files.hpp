@@ -20,10 +20,11 @@ inline constexpr double k_needle = 1e-7;
 /// longer do. Throws Cancelled.
 std::size_t mend_crossed(MoldHalves& halves, std::size_t body, double thinnest, const Progress& progress);
 
-/// Puts a body in the place of an insert, or behind the last one, as it will be written. False, and nothing
-/// changed, where it would not be closed or would cross itself. Throws Cancelled.
-[[nodiscard]] bool put_insert(MoldHalves& halves, std::size_t insert, MoldBody body, double thinnest,
-                              const Progress& progress);
+/// Puts a body in the place of another (numbered likewise), or behind the last insert, as it will be written.
+/// What a half was found to have of undercut stays said of it. False, and nothing changed, where it would not
+/// be closed or would cross itself. Throws Cancelled.
+[[nodiscard]] bool put_body(MoldHalves& halves, std::size_t number, MoldBody body, double thinnest,
+                            const Progress& progress);
 
 /// Where in the part's coordinates, without the shrinkage, a point of the files is.
 [[nodiscard]] glm::dvec3 place_in_part(const MoldHalves& halves, const WrittenMold& mold,

@@ -48,14 +48,18 @@ MoldFrame mold_frame(const PartModel& model, const glm::dvec3& direction) {
   return frame;
 }
 
-std::size_t MoldHalves::slide_count() const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(inserts, [](const MoldBody& body) { return !body.blanks.empty(); }));
+std::string_view piece_name(PieceKind kind) {
+  constexpr std::array<std::string_view, 3> k_names = {"slide", "lifter", "insert"};
+  return k_names[static_cast<std::size_t>(kind)];
 }
 
-double MoldHalves::slide_volume() const {
+std::size_t MoldHalves::count(PieceKind kind) const {
+  return static_cast<std::size_t>(std::ranges::count(inserts, kind, &MoldBody::kind));
+}
+
+double MoldHalves::volume(PieceKind kind) const {
   double sum = 0.0;
-  for (const MoldBody& body : inserts) sum += body.blanks.empty() ? 0.0 : body.volume;
+  for (const MoldBody& body : inserts) sum += body.kind == kind ? body.volume : 0.0;
   return sum;
 }
 

@@ -4,8 +4,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -44,11 +47,18 @@ struct MoldFrame {
 /// 0, 1, 2 where the direction is along that axis of the part, either way; else -1.
 [[nodiscard]] int axis_of(const glm::dvec3& direction);
 
+/// What stands between the halves: what leaves by hand, or what an action moves.
+enum class PieceKind : std::uint8_t { slide, lifter, insert };
+/// "slide", …
+[[nodiscard]] std::string_view piece_name(PieceKind kind);
+
 /// A solid of the mold, in the mold's frame about the part's centre, in the part's unit, with the shrinkage.
 struct MoldBody {
   TriangleMesh mesh;
   double volume = 0.0;
   std::string name = {};                 // "core", "slide_1", "insert_1"
+  PieceKind kind = PieceKind::insert;    // of what is no half
+  std::size_t action = 0;                // number in the plan, of a slide or a lifter
   std::vector<std::size_t> blanks = {};  // numbers of the slides' blanks that are in it
   std::size_t open_edges = 0;
   std::optional<double> thinnest = {};  // way through it between faces that are opposite to each other
@@ -103,6 +113,8 @@ struct MoldHalves {
   TriangleMesh surface_mesh;  // between them but for upright walls, in the bodies' frame
   std::vector<MoldBody>
       inserts;  // slides, then the others, the largest first; what is thinner than a tolerance is left out
+  /// Core and cavity with what their lifters form, as bodies; without facets where there are none.
+  std::array<TriangleMesh, 2> with_lifted;
   double specks_volume = 0.0;  // of what is left out
 
   // The certificate. Volumes are those of the bodies.
@@ -154,8 +166,8 @@ struct MoldHalves {
     return other.contact_area >= k_same * contact_area && mended_facets < other.mended_facets;
   }
   [[nodiscard]] bool made() const { return refusal.empty(); }
-  [[nodiscard]] std::size_t slide_count() const;
-  [[nodiscard]] double slide_volume() const;
+  [[nodiscard]] std::size_t count(PieceKind kind) const;
+  [[nodiscard]] double volume(PieceKind kind) const;
 };
 
 /// Takes coordinates of the files to the part's, whose origin is where it is enlarged from for shrinkage.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -13,7 +14,12 @@
 #include <glm/geometric.hpp>
 
 #include "classify/figure_table.hpp"
+#include "mesh/health.hpp"
+#include "parting/bar_cut.hpp"
+#include "parting/halves/bodies.hpp"
 #include "parting/make_halves.hpp"
+#include "parting/mold_files.hpp"
+#include "parting/sheet_frame.hpp"
 #include "parting/slide_blank.hpp"
 
 namespace moldlight {
@@ -37,6 +43,13 @@ struct Tried {
   std::size_t action = 0;
 };
 
+/// A lifter's bar, in the mold's frame about the part's centre, in diagonals.
+struct Bar {
+  std::size_t action = 0;
+  std::vector<std::size_t> inserts;  // that it forms, of the halves without slides
+  BarRoom room;
+};
+
 class PieceMaker {
  public:
   PieceMaker(const PiecesWish& wish, const Progress& progress)
@@ -51,7 +64,8 @@ class PieceMaker {
     std::vector<Tried> all;
     for (std::size_t action = 0; action < wish_.plan.actions.size(); ++action) {
       const ActionKind kind = wish_.plan.actions[action].kind;
-      if (!is_slide(kind) && kind != ActionKind::lifter) continue;
+      if (kind == ActionKind::lifter) add_bar(action);
+      if (!is_slide(kind)) continue;
       SlideBlank blank = blank_of(action, k_lands[0]);
       if (blank.refusal.empty()) {
         all.push_back({std::move(blank), action});
@@ -65,12 +79,14 @@ class PieceMaker {
     for (std::size_t k = 0; k < all.size() && blanks_.size() < all.size(); ++k) {
       if (auto more = with_one_more(all[k])) made = std::move(more);
     }
-    MoldPieces pieces{.halves = made ? std::move(*made) : wish_.plain,
-                      .of_inserts = {},
-                      .of_slides = {},
-                      .unmade = std::move(unmade_)};
+    if (!made && !bars_.empty()) made = halves_with({});
+    while (!bars_.empty() && !put_lifters(*made)) made = halves_with(blanks_);
+    MoldPieces pieces{
+        .halves = made ? std::move(*made) : wish_.plain, .of_inserts = {}, .unmade = std::move(unmade_)};
+    for (MoldBody& body : pieces.halves.inserts) {
+      if (!body.blanks.empty()) body.action = blanks_[body.blanks.front()].action;
+    }
     pieces.of_inserts = actions_of_inserts(pieces.halves, wish_.split, wish_.plan);
-    for (const Tried& one : blanks_) pieces.of_slides.push_back(one.action);
     std::ranges::sort(pieces.unmade, {}, &UnmadeAction::action);
     return pieces;
   }
@@ -88,6 +104,257 @@ class PieceMaker {
     return glm::normalize(way);
   }
 
+  /// The inserts that an action forms alone; none, and why, where there are no such.
+  [[nodiscard]] std::vector<const TriangleMesh*> formed_by(std::size_t action, std::string& why) const {
+    std::vector<const TriangleMesh*> formed;
+    for (std::size_t k = 0; k < of_plain_.size(); ++k) {
+      const InsertActions& of = of_plain_[k];
+      if (std::ranges::find(of.actions, action) == of.actions.end()) continue;
+      if (of.actions.size() > 1 || of.unreleased > 0) {
+        why = "other actions share the surface that it forms";
+        return {};
+      }
+      formed.push_back(&inserts_[k]);
+    }
+    if (formed.empty()) why = "no body between the halves is its own";
+    return formed;
+  }
+
+  /// The inserts that lifters of its half alone form, this one among them; none, and why, where there are no
+  /// such.
+  [[nodiscard]] std::vector<std::size_t> lifted_by(std::size_t lifter, std::string& why) const {
+    const auto& actions = wish_.plan.actions;
+    std::vector<std::size_t> lifted;
+    for (std::size_t k = 0; k < of_plain_.size(); ++k) {
+      const InsertActions& of = of_plain_[k];
+      if (std::ranges::find(of.actions, lifter) == of.actions.end()) continue;
+      lifted.push_back(k);
+      const bool alone = of.unreleased == 0 && std::ranges::all_of(of.actions, [&](std::size_t action) {
+                           return actions[action].kind == ActionKind::lifter &&
+                                  actions[action].core_side == actions[lifter].core_side;
+                         });
+      if (!alone) why = "other actions share the surface that it forms";
+    }
+    if (lifted.empty()) why = "no body between the halves is its own";
+    if (actions[lifter].stems.empty()) why = "it has no stem";
+    return lifted;
+  }
+
+  /// Corners of what an action releases, in the mold's frame about the part's centre, in diagonals.
+  [[nodiscard]] std::vector<glm::dvec3> released_by(std::size_t action, const SheetFrame& frame) const {
+    std::vector<glm::dvec3> corners;
+    for (std::size_t piece = 0; piece < wish_.split.pieces.size(); ++piece) {
+      if (wish_.plan.action_of_piece[piece] != static_cast<std::int32_t>(action)) continue;
+      for (std::size_t k = 0; k < 3; ++k) corners.push_back(frame.in_mold(wish_.split.corner(piece, k)));
+    }
+    return corners;
+  }
+
+  /// A straight bar along the lifter's stem, as wide as it and as what it forms; towards its end on the side
+  /// of that it narrows to the stem, so that it stands in the part's wall there, not behind it.
+  void add_bar(std::size_t number) {
+    constexpr double k_bar_beside = 0.1, k_bar_behind = 0.05;  // of the stem's width, around what it forms
+    const SideAction& action = wish_.plan.actions[number];
+    std::string why;
+    std::vector<std::size_t> inserts = lifted_by(number, why);
+    if (!why.empty()) {
+      unmade_.push_back({number, std::move(why)});
+      return;
+    }
+    const SheetFrame frame{wish_.plain.frame, wish_.plain.centre, wish_.model.frame.diagonal};
+    const glm::dvec3 travel = way_of(number), across = glm::cross(glm::dvec3(0, 0, 1), travel),
+                     way = wish_.plain.frame.to_mold(action.stems.front().way),
+                     down(0, 0, action.core_side ? 1.0 : -1.0);
+    const double lean = -glm::dot(way, travel) / glm::dot(way, down);  // back against the travel, downward
+    double end = -INFINITY;
+    const TriangleMesh half = as_in_part(action.core_side ? wish_.plain.core.mesh : wish_.plain.cavity.mesh);
+    for (const glm::dvec3& vertex : half.vertices) end = std::max(end, glm::dot(vertex, down));
+    double ahead = -INFINITY, left = INFINITY, right = -INFINITY, back = -INFINITY;
+    // Ahead and back are those of its section at the end.
+    const auto ahead_of = [&](const glm::dvec3& at) {
+      return glm::dot(at, travel) - lean * (end - glm::dot(at, down));
+    };
+    const auto add = [&](const glm::dvec3& at, double beside) {
+      ahead = std::max(ahead, ahead_of(at) + beside);
+      left = std::min(left, glm::dot(at, across) - beside);
+      right = std::max(right, glm::dot(at, across) + beside);
+    };
+    const double width = action.stems.front().width / frame.diagonal;
+    for (const Stem& stem : action.stems) {
+      const glm::dvec3 top = frame.in_mold(stem.top);
+      add(top, 0.5 * width);
+      back = std::max(back, 0.5 * width - ahead_of(top));
+    }
+    double slope = lean;
+    std::vector<glm::dvec3> formed = released_by(number, frame);
+    if (inserts.size() == 1 && of_plain_[inserts.front()].actions.size() == 1)
+      formed = inserts_[inserts.front()].vertices;
+    for (const glm::dvec3& vertex : formed) {
+      add(vertex, k_bar_beside * width);
+      slope = std::min(
+          slope, (back + glm::dot(vertex, travel) - k_bar_behind * width) / (end - glm::dot(vertex, down)));
+    }
+    const auto side = [](const glm::dvec3& normal, double offset) {
+      const double length = glm::length(normal);
+      return HalfSpace{normal / length, offset / length};
+    };
+    bars_.push_back(
+        {.action = number,
+         .inserts = std::move(inserts),
+         .room = {.along = way,
+                  .sides = {side(-travel - slope * down, back - slope * end), side(-across, -left),
+                            side(travel + lean * down, ahead + lean * end), side(across, right)}}});
+  }
+
+  [[nodiscard]] bool core_side(const Bar& bar) const { return wish_.plan.actions[bar.action].core_side; }
+  [[nodiscard]] LiftedInsert lifted(std::size_t insert, const Bar& bar) const {
+    return {inserts_[insert].vertices.front(), core_side(bar)};
+  }
+
+  /// Takes a bar back, and those that form something with it.
+  void drop_bar(std::size_t number, const std::string& why) {
+    std::vector<Bar> left;
+    for (const Bar& bar : bars_) {
+      const bool shares = std::ranges::any_of(bar.inserts, [&](std::size_t insert) {
+        return std::ranges::find(bars_[number].inserts, insert) != bars_[number].inserts.end();
+      });
+      if (shares) {
+        unmade_.push_back({bar.action, why});
+      } else {
+        left.push_back(bar);
+      }
+    }
+    bars_ = std::move(left);
+  }
+
+  /// Cuts the lifters out of their halves. False, and some bars less, where one cannot be.
+  bool put_lifters(MoldHalves& halves) {
+    const double unit = wish_.model.frame.diagonal * halves.scale, thinnest = k_needle * unit;
+    MoldHalves put = halves;
+    for (const Bar& bar : bars_) {
+      for (const std::size_t insert : bar.inserts) take_out(lifted(insert, bar).corner * unit, put);
+    }
+    std::vector<Bounds> rooms;
+    for (std::size_t k = 0; k < bars_.size(); ++k) {
+      const std::string why = put_lifter(bars_[k], k + 1, unit, put, rooms);
+      if (why.empty()) continue;
+      drop_bar(k, why);
+      return false;
+    }
+    for (const std::size_t half : {0U, 1U}) {
+      MoldBody body = half == 0 ? put.core : put.cavity;
+      if (put.with_lifted[half].facets.empty()) continue;
+      body.mesh = put.with_lifted[half];
+      body.volume = signed_volume(body.mesh);
+      const glm::dvec3 pull(0, 0, half == 0 ? 1.0 : -1.0);
+      std::string why;
+      if (const WayOut out = way_out(as_in_part(body.mesh), part_, pull); out.blocked > k_way_slack)
+        why = "the bars leave some of what they form to their half";
+      if (why.empty() && !put_body(put, half, std::move(body), thinnest, progress_))
+        why = "around it its half would cross itself by rounding";
+      if (why.empty()) continue;
+      drop_bar(
+          static_cast<std::size_t>(
+              std::ranges::find_if(bars_, [&](const Bar& bar) { return core_side(bar) == (half == 0); }) -
+              bars_.begin()),
+          why);
+      return false;
+    }
+    set_in_order(put);
+    halves = std::move(put);
+    return true;
+  }
+
+  /// An insert with this corner goes.
+  static void take_out(const glm::dvec3& corner, MoldHalves& put) {
+    constexpr double k_same = 1e-6;
+    const auto insert = std::ranges::find_if(put.inserts, [&](const MoldBody& body) {
+      return body.kind == PieceKind::insert &&
+             std::ranges::any_of(body.mesh.vertices, [&](const glm::dvec3& vertex) {
+               return glm::distance(vertex, corner) < k_same * glm::length(corner);
+             });
+    });
+    if (insert == put.inserts.end()) return;
+    put.insert_volume -= insert->volume;
+    put.written.bodies.erase(put.written.bodies.begin() + 2 + (insert - put.inserts.begin()));
+    put.inserts.erase(insert);
+  }
+
+  /// Slides, lifters, inserts.
+  static void set_in_order(MoldHalves& put) {
+    std::vector<std::size_t> order(put.inserts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return put.inserts[k].kind; });
+    std::vector<MoldBody> bodies;
+    std::vector<WrittenBody> written = {put.written.bodies[0], put.written.bodies[1]};
+    for (const std::size_t k : order) {
+      bodies.push_back(std::move(put.inserts[k]));
+      written.push_back(std::move(put.written.bodies[k + 2]));
+    }
+    put.inserts = std::move(bodies);
+    put.written.bodies = std::move(written);
+    std::size_t loose = 0;
+    for (std::size_t k = 0; k < put.inserts.size(); ++k) {
+      if (put.inserts[k].kind != PieceKind::insert) continue;
+      put.inserts[k].name = put.written.bodies[k + 2].name = fmt::format("insert_{}", ++loose);
+    }
+  }
+
+  /// Why a lifter cannot be cut out; empty where it was.
+  std::string put_lifter(const Bar& bar, std::size_t number, double unit, MoldHalves& put,
+                         std::vector<Bounds>& rooms) const {
+    TriangleMesh& steel = put.with_lifted[core_side(bar) ? 0 : 1];
+    BarRoom room = bar.room;
+    for (HalfSpace& side : room.sides) side.offset *= unit;
+    auto cut = steel.facets.empty() ? std::nullopt : cut_by_bar(steel, room, unit);
+    if (!cut) return "its half does not close around it";
+    if (connected_bodies(cut->inside.vertices.size(), cut->inside.facets).size() != 1)
+      return "its bar is not of one piece";
+    if (std::string why = fault_of_bar(bar, as_in_part(cut->inside), rooms); !why.empty()) return why;
+    MoldBody body{.mesh = std::move(cut->inside),
+                  .name = fmt::format("lifter_{}", number),
+                  .kind = PieceKind::lifter,
+                  .action = bar.action};
+    body.volume = signed_volume(body.mesh);
+    body.thinnest = thinnest_of(body.mesh);
+    put.insert_volume += body.volume;
+    if (!put_body(put, 2 + put.inserts.size(), std::move(body), k_needle * unit, progress_))
+      return "facets of it cross each other by rounding";
+    steel = std::move(cut->outside);
+    return {};
+  }
+
+  /// Why a bar is no lifter: it moves sideways as it is driven out with the part, which is then taken off it.
+  [[nodiscard]] std::string fault_of_bar(const Bar& bar, TriangleMesh mesh,
+                                         std::vector<Bounds>& rooms) const {
+    const glm::dvec3 travel = way_of(bar.action), off(0, 0, core_side(bar) ? 1.0 : -1.0);
+    const double length = wish_.plan.actions[bar.action].travel / wish_.model.frame.diagonal;
+    const auto stands = [&](const WayOut& out) {
+      return fmt::format(
+          "the part stands in its way, near {}",
+          FigureStyle(wish_.model)
+              .point(wish_.plain.centre + wish_.model.frame.diagonal * wish_.plain.frame.to_part(out.place)));
+    };
+    const WayOut aside = way_out(mesh, part_, travel, length);
+    if (aside.blocked > k_way_slack) return stands(aside);
+    Bounds room;
+    for (glm::dvec3& vertex : mesh.vertices) {
+      room.add(vertex);
+      vertex += length * travel;
+      room.add(vertex);
+    }
+    if (const WayOut up = way_out(mesh, part_, off); up.blocked > k_way_slack) return stands(up);
+    if (room.min.x <= wish_.plain.block_low.x || room.min.y <= wish_.plain.block_low.y ||
+        room.max.x >= wish_.plain.block_high.x || room.max.y >= wish_.plain.block_high.y)
+      return "it would leave the block at its side";
+    const bool meets = std::ranges::any_of(rooms, [&](const Bounds& other) {
+      return glm::all(glm::lessThan(room.min, other.max)) && glm::all(glm::lessThan(other.min, room.max));
+    });
+    if (meets) return "it would run into another lifter";
+    rooms.push_back(room);
+    return {};
+  }
+
   /// With this share of the usual land around what the action forms.
   [[nodiscard]] SlideBlank blank_of(std::size_t number, double land) const {
     const auto refused = [](std::string why) {
@@ -96,18 +363,11 @@ class PieceMaker {
       return none;
     };
     const SideAction& action = wish_.plan.actions[number];
-    if (!is_slide(action.kind)) return refused("only slides are made as solids");
     if (std::abs(wish_.plain.frame.to_mold(action.direction).z) > k_inclined)
       return refused("it moves at an angle to the plane across the direction");
-    std::vector<const TriangleMesh*> formed;
-    for (std::size_t k = 0; k < of_plain_.size(); ++k) {
-      const InsertActions& of = of_plain_[k];
-      if (std::ranges::find(of.actions, number) == of.actions.end()) continue;
-      if (of.actions.size() > 1 || of.unreleased > 0)
-        return refused("other actions share the surface that it forms");
-      formed.push_back(&inserts_[k]);
-    }
-    if (formed.empty()) return refused("no body between the halves is its own");
+    std::string why;
+    const std::vector<const TriangleMesh*> formed = formed_by(number, why);
+    if (formed.empty()) return refused(std::move(why));
     const double middle = glm::dot(wish_.plain.centre, wish_.plain.frame.z);
     const double diagonal = wish_.model.frame.diagonal;
     return slide_blank({.part = part_,
@@ -137,8 +397,11 @@ class PieceMaker {
   }
 
   [[nodiscard]] MoldHalves halves_with(const std::vector<Tried>& tried) const {
-    Beside beside{{}, wish_.plain.block_low, wish_.plain.block_high, wish_.plain.margin};
+    Beside beside{{}, {}, wish_.plain.block_low, wish_.plain.block_high, wish_.plain.margin};
     for (const Tried& one : tried) beside.blanks.push_back(one.blank);
+    for (const Bar& bar : bars_) {
+      for (const std::size_t insert : bar.inserts) beside.lifted.push_back(lifted(insert, bar));
+    }
     return make_halves(wish_.model, wish_.plain.frame.z, wish_.place, wish_.settings, progress_, beside);
   }
 
@@ -195,6 +458,7 @@ class PieceMaker {
   std::vector<TriangleMesh> inserts_;
   std::vector<InsertActions> of_plain_;
   std::vector<Tried> blanks_;
+  std::vector<Bar> bars_;
   std::vector<UnmadeAction> unmade_;
 };
 
@@ -252,7 +516,7 @@ std::vector<InsertActions> actions_of_inserts(const MoldHalves& halves, const Sp
 }
 
 MoldPieces make_pieces(const PiecesWish& wish, const Progress& progress) {
-  if (!wish.plain.made()) return {.halves = wish.plain, .of_inserts = {}, .of_slides = {}, .unmade = {}};
+  if (!wish.plain.made()) return {.halves = wish.plain, .of_inserts = {}, .unmade = {}};
   return PieceMaker(wish, progress).run();
 }
 

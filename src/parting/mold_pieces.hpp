@@ -1,6 +1,6 @@
-// The mold in all its pieces: the two halves with the slides between them as solids, and what is left to
-// loose inserts. A slide's room is taken out of the halves as that of the part is: as one more body between
-// them.
+// The mold in all its pieces: the two halves with the slides between them and the lifters in them as solids,
+// and what is left to loose inserts. A slide's room is taken out of the halves as that of the part is: as one
+// more body between them. A lifter is a straight bar through its half, cut out of it with what it forms.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +33,7 @@ struct UnmadeAction {
 
 struct MoldPieces {
   MoldHalves halves;
-  std::vector<InsertActions> of_inserts;  // one each of its inserts, slides among them
-  std::vector<std::size_t> of_slides;     // the action of each slide
+  std::vector<InsertActions> of_inserts;  // one each of its inserts, slides and lifters among them
   std::vector<UnmadeAction> unmade;       // in the plan's order
 };
 
@@ -46,8 +45,8 @@ struct PiecesWish {
   const MeetingPlace& place;
   const MoldSettings& settings;
 };
-/// The halves with as many of the plan's slides as can be made; what the others form stays inserts, as in the
-/// halves without slides. Throws Cancelled.
+/// The halves with as many of the plan's slides and lifters as can be made; what the others form stays
+/// inserts, as in the halves without. Throws Cancelled.
 [[nodiscard]] MoldPieces make_pieces(const PiecesWish& wish, const Progress& progress);
 
 }  // namespace moldlight

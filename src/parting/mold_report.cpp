@@ -99,37 +99,39 @@ std::string made_text(const MoldReport& report) {
   };
   const auto shut_offs = static_cast<std::size_t>(std::ranges::count_if(
       report.line.loops, [](const PartingLoop& loop) { return loop.kind == LoopKind::shut_off; }));
-  const std::size_t slides = halves.slide_count(), loose = halves.inserts.size() - slides;
   std::string text =
       fmt::format("{}, {}, {}", shut_offs == 0 ? std::string("no shut-off") : plural(shut_offs, "shut-off"),
                   rises(surface.high - surface.low, "planar parting surface", "parting surface"),
                   rises(surface.rim_high - surface.rim_low, "flat edge", "edge"));
   if (!halves.contacts.empty())
     text += fmt::format(", {} of steel on steel without draft", plural(halves.contacts.size(), "place"));
-  if (slides > 0) text += ", " + plural(slides, "slide");
-  if (loose > 0) text += ", " + plural(loose, "insert");
+  for (const PieceKind kind : {PieceKind::slide, PieceKind::lifter, PieceKind::insert}) {
+    if (const std::size_t count = halves.count(kind); count > 0)
+      text += ", " + plural(count, piece_name(kind));
+  }
   return text + "; block of " + block_text(report.model, halves);
 }
 
-/// Of a body as it is written, in the mold's sequence: slides, halves, and by hand what leaves with the part.
+/// Of a body as it is written, in the mold's sequence: slides, halves, lifters, and by hand what leaves with
+/// the part.
 Json piece_json(const MoldReport& report, std::size_t number) {
   const MoldHalves& halves = report.halves;
   const WrittenBody& written = report.written.bodies[number];
   const bool half = number < 2;
   const MoldBody& body = number == 0 ? halves.core : half ? halves.cavity : halves.inserts[number - 2];
-  const bool slide = !body.blanks.empty();
-  Json json = {{"name", written.name}, {"kind", half ? written.name : slide ? "slide" : "insert"}};
+  const bool moved = !half && body.kind != PieceKind::insert;
+  Json json = {{"name", written.name}, {"kind", half ? written.name : piece_name(body.kind)}};
   json["file"] = written.file.empty() ? Json() : Json(written.file);
   json["direction"] = json["travel"] = Json();
   if (half) {
     json["direction"] = point_json(number == 0 ? halves.frame.z : glm::dvec3(0.0) - halves.frame.z);
     json["travel"] = halves.part_height;
-  } else if (slide) {
-    const SideAction& action = report.plan->actions[report.pieces->of_slides[body.blanks.front()]];
+  } else if (moved) {
+    const SideAction& action = report.plan->actions[body.action];
     json["direction"] = point_json(action.direction);
     json["travel"] = action.travel;
   }
-  json["sequence"] = slide ? 1 : half ? 2 : 4;
+  json["sequence"] = half ? 2 : body.kind == PieceKind::slide ? 1 : moved ? 3 : 4;
   json.update({{"volume", written.volume},
                {"closed", written.closed},
                {"crossings", body.crossed_facets},
@@ -185,7 +187,7 @@ void add_piece_remarks(const ActionPlan& plan, const MoldPieces& pieces, std::ve
     for (const std::size_t number : of_insert.actions)
       movers += (movers.empty() ? "" : " and ") + std::string("the ") + named(number);
     if (movers.empty()) continue;
-    remarks.push_back(body.blanks.empty()
+    remarks.push_back(body.kind == PieceKind::insert
                           ? fmt::format("{} is formed by {}{}.", body.name, movers,
                                         of_insert.unreleased > 0 ? "; nothing releases the rest of it" : "")
                           : fmt::format("{} is {}.", body.name, movers));

@@ -300,9 +300,41 @@ class BlankMaker {
 
 }  // namespace
 
+namespace {
+
+/// How deep something is met, and to where on the line it reaches.
+struct Met {
+  double depth = 0.0, to = 0.0;
+};
+
+/// What of the other lies beyond where the piece begins: the thinner of the two is what would be cut.
+Met met_beyond(const std::vector<Stretch>& own, const std::vector<Stretch>& others) {
+  double beyond = 0.0, before = 0.0;
+  const double last = others.back().to;
+  for (const Stretch& stretch : others)
+    beyond += std::max(0.0, stretch.to - std::max(stretch.from, own.front().from));
+  for (const Stretch& stretch : own) before += std::max(0.0, std::min(stretch.to, last) - stretch.from);
+  return {std::min(beyond, before), last};
+}
+
+/// How deep at most one of its stretches goes into one of the other's that is in front of it.
+Met met_within(const std::vector<Stretch>& own, const std::vector<Stretch>& others, double reach) {
+  Met met;
+  for (const Stretch& one : own) {
+    for (const Stretch& other : others) {
+      if (other.from + other.to <= one.from + one.to) continue;
+      const double depth = std::min({one.to + reach - other.from, one.to - one.from, other.to - other.from});
+      if (depth > met.depth) met = {depth, other.from};
+    }
+  }
+  return met;
+}
+
+}  // namespace
+
 SlideBlank slide_blank(const BlankWish& wish) { return BlankMaker(wish).run(); }
 
-WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::dvec3& way) {
+WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::dvec3& way, double reach) {
   const WayFrame frame = frame_along(way);
   const LineGrid grid = LineGrid::over(piece, frame, k_exit_lines);
   const auto own = depth_columns(piece, frame, grid), others = depth_columns(still, frame, grid);
@@ -312,21 +344,13 @@ WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::
     if (own[line].empty()) continue;
     ++lines;
     if (others[line].empty()) continue;
-    // What of the other lies beyond where the piece begins: the thinner of the two is what would be cut.
-    double beyond = 0.0;
-    const double first = own[line].front().from;
-    for (const Stretch& stretch : others[line])
-      beyond += std::max(0.0, stretch.to - std::max(stretch.from, first));
-    double before = 0.0;
-    const double last = others[line].back().to;
-    for (const Stretch& stretch : own[line])
-      before += std::max(0.0, std::min(stretch.to, last) - stretch.from);
-    const double blocked = std::min(beyond, before);
-    held += blocked > k_held ? 1 : 0;
-    if (blocked <= found.blocked) continue;
+    const Met met = std::isfinite(reach) ? met_within(own[line], others[line], reach)
+                                         : met_beyond(own[line], others[line]);
+    held += met.depth > k_held ? 1 : 0;
+    if (met.depth <= found.blocked) continue;
     const glm::dvec2 at = grid.at(line);
-    found.blocked = blocked;
-    found.place = at.x * frame.across + at.y * frame.up + others[line].back().to * frame.way;
+    found.blocked = met.depth;
+    found.place = at.x * frame.across + at.y * frame.up + met.to * frame.way;
   }
   found.share = lines > 0 ? static_cast<double>(held) / static_cast<double>(lines) : 0.0;
   return found;

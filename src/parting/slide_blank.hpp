@@ -2,6 +2,7 @@
 // the block, drafted, square to its way.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,12 +32,13 @@ struct SlideBlank {
 [[nodiscard]] SlideBlank slide_blank(const BlankWish& wish);
 
 /// How far, and where, something stands in the way of a piece that moves out along its way. Looked at on some
-/// 20,000 lines through all of the piece.
+/// 20,000 lines through all of the piece. `reach`: how far it goes.
 struct WayOut {
   double blocked = 0.0;
   double share = 0.0;  // of the piece's lines, on which something does
   glm::dvec3 place{0.0};
 };
-[[nodiscard]] WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::dvec3& way);
+[[nodiscard]] WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::dvec3& way,
+                             double reach = INFINITY);
 
 }  // namespace moldlight

@@ -123,7 +123,7 @@ class SolidMaker {
       for (glm::dvec3& vertex : body.mesh.vertices) vertex *= scale;
       more += body.volume;
       const std::size_t number = &share == shares.data() ? insert : put.inserts.size();
-      if (!put_insert(put, number, std::move(body), k_needle * scale, progress_)) return false;
+      if (!put_body(put, number + 2, std::move(body), k_needle * scale, progress_)) return false;
     }
     put.insert_volume += more;
     put.volume_gap -= more / put.block_volume;

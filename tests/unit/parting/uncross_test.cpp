@@ -50,11 +50,11 @@ TEST(Uncross, LeavesWhatCrossesByMore) {
   EXPECT_EQ(mesh.facets, before.facets);
 }
 
-TEST(PutInsert, TakesWhatCanBeMendedAndLeavesTheRestAsItWas) {
+TEST(PutBody, TakesWhatCanBeMendedAndLeavesTheRestAsItWas) {
   MoldHalves halves;
   halves.written.bodies.resize(2);
   const auto put = [&](const TriangleMesh& mesh) {
-    return put_insert(halves, halves.inserts.size(), {.mesh = mesh, .name = "insert"}, 1e-9, Progress());
+    return put_body(halves, 2 + halves.inserts.size(), {.mesh = mesh, .name = "insert"}, 1e-9, Progress());
   };
   EXPECT_FALSE(put(tip_in_slab(1.0)));
   TriangleMesh open = test::box_mesh({0, 0, 0}, {1, 1, 1});
@@ -67,7 +67,7 @@ TEST(PutInsert, TakesWhatCanBeMendedAndLeavesTheRestAsItWas) {
   ASSERT_EQ(halves.written.bodies.size(), 3U);
   EXPECT_TRUE(crossed_facets(halves.written.bodies[2].mesh, Progress()).empty());
   // Another in its place, that fails.
-  EXPECT_FALSE(put_insert(halves, 0, {.mesh = tip_in_slab(1.0), .name = "other"}, 1e-9, Progress()));
+  EXPECT_FALSE(put_body(halves, 2, {.mesh = tip_in_slab(1.0), .name = "other"}, 1e-9, Progress()));
   EXPECT_EQ(halves.inserts[0].name, "insert");
   EXPECT_EQ(halves.written.bodies[2].name, "insert");
 }

@@ -1,4 +1,5 @@
-// Slides as solids of the mold: with halves, part and inserts they fill the block, and they move out.
+// Slides and lifters as solids of the mold: with halves, part and inserts they fill the block, and they move
+// out.
 #include "parting/mold_pieces.hpp"
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "support/mold_checks.hpp"
 #include "support/shapes.hpp"
 #include "support/shared_parts.hpp"
+#include "support/solid_builder.hpp"
 
 namespace moldlight {
 namespace {
@@ -36,7 +38,7 @@ TEST_P(SlidesOf, FillTheBlockWithTheHalvesAndMoveOut) {
   Study study = study_of(mesh);
   const MoldPieces& pieces = study.find<MoldPieces>(Progress());
   const MoldHalves& halves = pieces.halves;
-  ASSERT_EQ(pieces.of_slides.size(), 1U) << (pieces.unmade.empty() ? "" : pieces.unmade.front().why);
+  ASSERT_EQ(halves.count(PieceKind::slide), 1U) << (pieces.unmade.empty() ? "" : pieces.unmade.front().why);
   EXPECT_TRUE(halves.certified());
   EXPECT_LE(std::abs(halves.volume_gap), 1e-9);
   ASSERT_EQ(halves.inserts.size(), 1U);
@@ -50,7 +52,7 @@ TEST_P(SlidesOf, FillTheBlockWithTheHalvesAndMoveOut) {
   }
   EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
   // Out of the block's side, past the part; the other way the part holds it.
-  const glm::dvec3 way = study.find<ActionPlan>(Progress()).actions[pieces.of_slides[0]].direction;
+  const glm::dvec3 way = study.find<ActionPlan>(Progress()).actions[halves.inserts[0].action].direction;
   const double diagonal = study.model().frame.diagonal;
   EXPECT_LE(way_out(halves.written.bodies[2].mesh, mesh, way).blocked, diagonal / 2048.0);
   EXPECT_GT(way_out(halves.written.bodies[2].mesh, mesh, -way).blocked, 0.01 * diagonal);
@@ -58,6 +60,89 @@ TEST_P(SlidesOf, FillTheBlockWithTheHalvesAndMoveOut) {
 
 INSTANTIATE_TEST_SUITE_P(MoldPieces, SlidesOf,
                          ::testing::Values(&test::cup_with_side_hole, &test::plate_with_side_pocket));
+
+/// An open box with catches inside its wall at y = 0, each 8 wide and 1.5 deep; and a post with one, behind
+/// which there is room.
+TriangleMesh box_with_catches(const std::vector<double>& at, bool post) {
+  const glm::dvec3 low(0, 0, 0), high(80, 60, 25), void_low(2, 2, 2), void_high(78, 58, 25);
+  test::SolidBuilder solid;
+  solid.box(low, high, {5});
+  solid.face(test::box_face(low, high, 5), {test::box_face(void_low, void_high, 5)});
+  std::vector<int> open = {5, 2};
+  if (post) open.push_back(4);
+  solid.box(void_low, void_high, open, true);
+  const auto add_ends = [&](const std::vector<glm::dvec2>& profile, double from, double to) {
+    test::Loop left, right;
+    for (const glm::dvec2& p : profile) {
+      left.insert(left.begin(), {from, p.x, p.y});
+      right.push_back({to, p.x, p.y});
+    }
+    solid.face(left);
+    solid.face(right);
+    // All sides but the one from the last corner to the first.
+    for (std::size_t k = 0; k + 1 < profile.size(); ++k)
+      solid.face({{to, profile[k].x, profile[k].y},
+                  {from, profile[k].x, profile[k].y},
+                  {from, profile[k + 1].x, profile[k + 1].y},
+                  {to, profile[k + 1].x, profile[k + 1].y}});
+  };
+  std::vector<test::Loop> roots;
+  for (const double x : at) {
+    add_ends({{2, 15}, {3.5, 16.5}, {3.5, 17.5}, {2, 20}}, x, x + 8.0);
+    roots.push_back({{x, 2, 15}, {x + 8, 2, 15}, {x + 8, 2, 20}, {x, 2, 20}});
+  }
+  solid.face({{2, 2, 2}, {2, 2, 25}, {78, 2, 25}, {78, 2, 2}}, roots);
+  if (post) {
+    add_ends({{32, 2}, {32, 20}, {30, 20}, {28, 17}, {28, 16}, {30, 16}, {30, 2}}, 36.0, 44.0);
+    solid.face({{2, 2, 2}, {78, 2, 2}, {78, 58, 2}, {2, 58, 2}},
+               {{{36, 30, 2}, {44, 30, 2}, {44, 32, 2}, {36, 32, 2}}});
+  }
+  return solid.mesh();
+}
+
+/// Driven out of the core they go sideways with the part, which is then taken off them.
+void expect_lifters(const TriangleMesh& mesh, std::size_t count) {
+  Study study = study_of(mesh);
+  const MoldPieces& pieces = study.find<MoldPieces>(Progress());
+  const MoldHalves& halves = pieces.halves;
+  ASSERT_EQ(halves.count(PieceKind::lifter), count)
+      << (pieces.unmade.empty() ? "" : pieces.unmade.front().why);
+  ASSERT_EQ(halves.inserts.size(), count);
+  EXPECT_TRUE(halves.certified());
+  double volume = halves.part_volume;
+  std::vector<TriangleMesh> bodies = {mesh};
+  for (const WrittenBody& body : halves.written.bodies) {
+    EXPECT_TRUE(body.closed) << body.name;
+    EXPECT_EQ(body.nonmanifold_edges, 0U) << body.name;
+    volume += body.volume;
+    bodies.push_back(body.mesh);
+  }
+  EXPECT_NEAR(volume / halves.block_volume, 1.0, 1e-9);
+  EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
+  const double slack = study.model().frame.diagonal / 2048.0;
+  EXPECT_LE(way_out(bodies[1], mesh, {0, 0, 1}).blocked, slack);
+  for (std::size_t k = 0; k < count; ++k) {
+    const SideAction& action = study.find<ActionPlan>(Progress()).actions[halves.inserts[k].action];
+    TriangleMesh lifter = bodies[3 + k];
+    EXPECT_GT(way_out(lifter, mesh, {0, 0, 1}).blocked, 1.0);
+    EXPECT_LE(way_out(lifter, mesh, action.direction, action.travel).blocked, slack);
+    for (glm::dvec3& vertex : lifter.vertices) vertex += action.travel * action.direction;
+    EXPECT_LE(way_out(lifter, mesh, {0, 0, 1}).blocked, slack);
+    // Its room is open where it comes out of.
+    const glm::dvec3 out =
+        glm::normalize(action.travel * action.direction - glm::dvec3(0, 0, *action.stroke));
+    EXPECT_LE(way_out(bodies[3 + k], bodies[1], out).blocked, slack);
+  }
+}
+
+TEST(MoldPieces, ALifterIsABarThroughTheCore) {
+  expect_lifters(box_with_catches({36.0}, false), 1);
+  expect_lifters(box_with_catches({18.0, 54.0}, false), 2);
+}
+
+TEST(MoldPieces, ALifterLeavesWhatStandsBehindItsWallToTheCore) {
+  expect_lifters(box_with_catches({}, true), 1);
+}
 
 TEST(MoldPieces, AreListedWithTheirOrderAndTravel) {
   Study study = study_of(test::plate_with_side_pocket({}).mesh);
@@ -85,7 +170,7 @@ TEST(MoldPieces, ASlideWithThePartInItsWayIsNone) {
   const std::string clip = (test::asset_folder() / "parts" / "cable_clip.stl").string();
   Study study(load_part(clip, {.unit = "mm"}, Progress()), questions);
   const MoldPieces& pieces = study.find<MoldPieces>(Progress());
-  EXPECT_TRUE(pieces.of_slides.empty());
+  EXPECT_EQ(pieces.halves.count(PieceKind::slide), 0U);
   EXPECT_TRUE(std::ranges::any_of(pieces.unmade, [](const UnmadeAction& unmade) {
     return unmade.why.starts_with("the part stands in its way");
   }));
