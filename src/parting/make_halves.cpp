@@ -35,9 +35,6 @@ constexpr std::size_t k_most_beside = 8;
 constexpr double k_most_fold = 1e-8, k_most_gap = 1e-9;
 /// More than this, in cubes of the diagonal, is not rounding that the ends' places may make good.
 constexpr double k_most_restored = 1e-8;
-/// What is thinner on average than this share of the diagonal, half the usual lateral tolerance, is no
-/// insert: the plastic fills it.
-constexpr double k_speck_thickness = 0.5 / 2048.0;
 
 constexpr unsigned k_upper = Sheets::bit(Sheet::upper), k_lower = Sheets::bit(Sheet::lower),
                    k_hidden = Sheets::bit(Sheet::hidden), k_parting = Sheets::bit(Sheet::parting),
@@ -200,13 +197,12 @@ class Trial {
   [[nodiscard]] MoldBody insert_of(const Facets& facets) const {
     return scaled_body(sheets_.vertices, facets, frame_.diagonal * halves_.scale);
   }
-  [[nodiscard]] bool is_speck(const MoldBody& body) const {
-    const double thickness = k_speck_thickness * frame_.diagonal * halves_.scale;
-    return 2.0 * std::abs(body.volume) <= thickness * facet_geometry(body.mesh).total_area;
+  [[nodiscard]] bool is_thin(const MoldBody& body) const {
+    return is_speck(body, frame_.diagonal * halves_.scale);
   }
   /// Material that is there twice would be an insert inside out.
   [[nodiscard]] std::optional<MoldFault> twice_there(const MoldBody& body) const {
-    if (body.volume >= 0.0 || is_speck(body)) return std::nullopt;
+    if (body.volume >= 0.0 || is_thin(body)) return std::nullopt;
     return MoldFault{"bodies of the part overlap", k_mend_surface,
                      bounds(body.mesh).center() / (frame_.diagonal * halves_.scale)};
   }
@@ -317,7 +313,7 @@ class Trial {
       MoldBody body = insert_of(facets);
       body.blanks = blanks_in(facets);
       halves_.insert_volume += body.volume;
-      if (is_speck(body)) {
+      if (is_thin(body)) {
         halves_.specks_volume += body.volume;
         continue;
       }

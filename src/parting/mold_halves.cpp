@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "actions/part_axes.hpp"
+#include "mesh/facet_geometry.hpp"
 
 namespace moldlight {
 
@@ -61,6 +62,11 @@ double MoldHalves::volume(PieceKind kind) const {
   double sum = 0.0;
   for (const MoldBody& body : inserts) sum += body.kind == kind ? body.volume : 0.0;
   return sum;
+}
+
+bool is_speck(const MoldBody& body, double unit) {
+  constexpr double k_thickness = 0.5 / 2048.0;  // of the diagonal
+  return 2.0 * std::abs(body.volume) <= k_thickness * unit * facet_geometry(body.mesh).total_area;
 }
 
 glm::dmat4 to_part_of(const MoldHalves& halves) {

@@ -170,6 +170,10 @@ struct MoldHalves {
   [[nodiscard]] double volume(PieceKind kind) const;
 };
 
+/// What is thinner on average than half the usual lateral tolerance is no insert: the plastic fills it.
+/// `unit`: the part's diagonal, with the shrinkage.
+[[nodiscard]] bool is_speck(const MoldBody& body, double unit);
+
 /// Takes coordinates of the files to the part's, whose origin is where it is enlarged from for shrinkage.
 [[nodiscard]] glm::dmat4 to_part_of(const MoldHalves& halves);
 

@@ -21,6 +21,7 @@
 #include "parting/mold_files.hpp"
 #include "parting/sheet_frame.hpp"
 #include "parting/slide_blank.hpp"
+#include "parting/swept_out.hpp"
 
 namespace moldlight {
 
@@ -87,6 +88,10 @@ class PieceMaker {
       if (!body.blanks.empty()) body.action = blanks_[body.blanks.front()].action;
     }
     pieces.of_inserts = actions_of_inserts(pieces.halves, wish_.split, wish_.plan);
+    for (std::size_t k = 0; k < pieces.of_inserts.size(); ++k) {
+      const MoldBody& body = pieces.halves.inserts[k];
+      if (body.kind != PieceKind::insert) pieces.of_inserts[k] = {.actions = {body.action}, .unreleased = 0};
+    }
     std::ranges::sort(pieces.unmade, {}, &UnmadeAction::action);
     return pieces;
   }
@@ -102,22 +107,6 @@ class PieceMaker {
       if (std::abs(way[axis]) < k_inclined) way[axis] = 0.0;
     }
     return glm::normalize(way);
-  }
-
-  /// The inserts that an action forms alone; none, and why, where there are no such.
-  [[nodiscard]] std::vector<const TriangleMesh*> formed_by(std::size_t action, std::string& why) const {
-    std::vector<const TriangleMesh*> formed;
-    for (std::size_t k = 0; k < of_plain_.size(); ++k) {
-      const InsertActions& of = of_plain_[k];
-      if (std::ranges::find(of.actions, action) == of.actions.end()) continue;
-      if (of.actions.size() > 1 || of.unreleased > 0) {
-        why = "other actions share the surface that it forms";
-        return {};
-      }
-      formed.push_back(&inserts_[k]);
-    }
-    if (formed.empty()) why = "no body between the halves is its own";
-    return formed;
   }
 
   /// The inserts that lifters of its half alone form, this one among them; none, and why, where there are no
@@ -141,7 +130,8 @@ class PieceMaker {
   }
 
   /// Corners of what an action releases, in the mold's frame about the part's centre, in diagonals.
-  [[nodiscard]] std::vector<glm::dvec3> released_by(std::size_t action, const SheetFrame& frame) const {
+  [[nodiscard]] std::vector<glm::dvec3> released_by(std::size_t action) const {
+    const SheetFrame frame{wish_.plain.frame, wish_.plain.centre, wish_.model.frame.diagonal};
     std::vector<glm::dvec3> corners;
     for (std::size_t piece = 0; piece < wish_.split.pieces.size(); ++piece) {
       if (wish_.plan.action_of_piece[piece] != static_cast<std::int32_t>(action)) continue;
@@ -186,7 +176,7 @@ class PieceMaker {
       back = std::max(back, 0.5 * width - ahead_of(top));
     }
     double slope = lean;
-    std::vector<glm::dvec3> formed = released_by(number, frame);
+    std::vector<glm::dvec3> formed = released_by(number);
     if (inserts.size() == 1 && of_plain_[inserts.front()].actions.size() == 1)
       formed = inserts_[inserts.front()].vertices;
     for (const glm::dvec3& vertex : formed) {
@@ -365,13 +355,28 @@ class PieceMaker {
     const SideAction& action = wish_.plan.actions[number];
     if (std::abs(wish_.plain.frame.to_mold(action.direction).z) > k_inclined)
       return refused("it moves at an angle to the plane across the direction");
-    std::string why;
-    const std::vector<const TriangleMesh*> formed = formed_by(number, why);
-    if (formed.empty()) return refused(std::move(why));
+    std::vector<const TriangleMesh*> inserts;
+    bool alone = true;
+    for (std::size_t k = 0; k < of_plain_.size(); ++k) {
+      const InsertActions& of = of_plain_[k];
+      if (std::ranges::find(of.actions, number) == of.actions.end()) continue;
+      inserts.push_back(&inserts_[k]);
+      alone = alone && of.actions.size() == 1 && of.unreleased == 0;
+    }
+    if (inserts.empty()) return refused("no body between the halves is its own");
+    std::vector<glm::dvec3> formed;
+    if (alone) {
+      for (const TriangleMesh* insert : inserts)
+        formed.insert(formed.end(), insert->vertices.begin(), insert->vertices.end());
+    } else {
+      formed = released_by(number);
+    }
     const double middle = glm::dot(wish_.plain.centre, wish_.plain.frame.z);
     const double diagonal = wish_.model.frame.diagonal;
     return slide_blank({.part = part_,
-                        .inserts = formed,
+                        .inserts = inserts,
+                        .formed = formed,
+                        .alone = alone,
                         .way = way_of(number),
                         .shelf = (wish_.plain.surface.shelf_height - middle) / diagonal,
                         .land = land * wish_.plain.land / diagonal,
@@ -413,11 +418,76 @@ class PieceMaker {
                           : "the halves cannot be made around it: " + halves.refusal;
       return std::nullopt;
     }
+    why = divide_shared(tried, halves);
+    if (!why.empty()) return std::nullopt;
     for (std::size_t k = 0; k < tried.size(); ++k) {
       why = fault_of(halves, tried, k);
       if (!why.empty()) return std::nullopt;
     }
     return halves;
+  }
+
+  /// Gives each slide of a body that several actions form what it can take out with it, the one that releases
+  /// the most first; what is left is inserts. Why that cannot be; empty where it can.
+  [[nodiscard]] std::string divide_shared(const std::vector<Tried>& tried, MoldHalves& halves) const {
+    const double unit = wish_.model.frame.diagonal * halves.scale;
+    std::vector<std::size_t> shared;
+    const std::vector<InsertActions> of = actions_of_inserts(halves, wish_.split, wish_.plan);
+    for (std::size_t k = 0; k < halves.inserts.size(); ++k) {
+      if (!halves.inserts[k].blanks.empty() && (of[k].actions.size() > 1 || of[k].unreleased > 0))
+        shared.push_back(k);
+    }
+    for (const std::size_t number : shared) {
+      std::vector<std::size_t> blanks = halves.inserts[number].blanks;
+      std::ranges::stable_sort(blanks, std::greater(), [&](std::size_t blank) {
+        return wish_.plan.actions[tried[blank].action].area;
+      });
+      std::vector<TriangleMesh> rest = {as_in_part(halves.inserts[number].mesh)};
+      std::vector<MoldBody> made;
+      const auto as_body = [&](TriangleMesh mesh) {
+        for (glm::dvec3& vertex : mesh.vertices) vertex *= unit;
+        MoldBody body{.mesh = std::move(mesh), .name = "insert"};
+        body.volume = signed_volume(body.mesh);
+        body.thinnest = thinnest_of(body.mesh);
+        return body;
+      };
+      for (const std::size_t blank : blanks) {
+        std::vector<TriangleMesh> left;
+        bool found = false;
+        for (const TriangleMesh& body : rest) {
+          std::optional<SweptOut> swept;
+          if (!found) swept = swept_out(body, tried[blank].blank, way_of(tried[blank].action), progress_);
+          if (!swept) {
+            left.push_back(body);
+            continue;
+          }
+          found = true;
+          left.insert(left.end(), swept->left.begin(), swept->left.end());
+          made.push_back(as_body(std::move(swept->moved)));
+          made.back().kind = PieceKind::slide;
+          made.back().blanks = {blank};
+          made.back().name = fmt::format("slide_{}", blank + 1);
+        }
+        if (!found) return "what it forms with other actions cannot be divided";
+        rest = std::move(left);
+      }
+      // What is too thin for an insert the plastic fills.
+      for (TriangleMesh& mesh : rest) {
+        MoldBody body = as_body(std::move(mesh));
+        if (is_speck(body, unit)) {
+          halves.specks_volume += body.volume;
+        } else {
+          made.push_back(std::move(body));
+        }
+      }
+      for (std::size_t k = 0; k < made.size(); ++k) {
+        const std::size_t place = k == 0 ? number : halves.inserts.size();
+        if (!put_body(halves, 2 + place, std::move(made[k]), k_needle * unit, progress_))
+          return "facets of it cross each other by rounding";
+      }
+    }
+    if (!shared.empty()) set_in_order(halves);
+    return {};
   }
 
   /// Why a slide is none; empty where it is closed and clean, and moves out past what stands still.

@@ -138,11 +138,9 @@ class BlankMaker {
   void set_section(double land) {
     low_ = glm::dvec2(INFINITY);
     high_ = glm::dvec2(-INFINITY);
-    for (const TriangleMesh* insert : wish_.inserts) {
-      for (const glm::dvec3& vertex : insert->vertices) {
-        low_ = glm::min(low_, glm::dvec2(frame_.of(vertex)));
-        high_ = glm::max(high_, glm::dvec2(frame_.of(vertex)));
-      }
+    for (const glm::dvec3& vertex : wish_.formed) {
+      low_ = glm::min(low_, glm::dvec2(frame_.of(vertex)));
+      high_ = glm::max(high_, glm::dvec2(frame_.of(vertex)));
     }
     formed_low_ = low_.y;
     formed_high_ = high_.y;
@@ -180,7 +178,7 @@ class BlankMaker {
       }
     }
     // A line along a face may see it as in front.
-    if (50 * behind > formed) return std::nullopt;
+    if (wish_.alone && 50 * behind > formed) return std::nullopt;
     return ranges;
   }
 

@@ -18,6 +18,8 @@ namespace moldlight {
 struct BlankWish {
   const TriangleMesh& part;
   std::vector<const TriangleMesh*> inserts;  // what the slide forms, between the halves
+  std::vector<glm::dvec3> formed;            // corners of what of that it forms itself
+  bool alone = true;                         // all
   glm::dvec3 way{1, 0, 0};                   // unit, outward, across z
   double shelf = 0.0;                        // height at which the halves meet
   double land = 0.02;                        // around what it forms
