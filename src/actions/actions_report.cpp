@@ -135,7 +135,7 @@ double unsigned_zero(double value) { return std::abs(value) < 5e-3 ? 0.0 : value
 
 }  // namespace
 
-std::string change_text(const ActionsReport& report, std::size_t undercut) {
+std::string change_text(const ActionsReport& report, std::size_t undercut, bool with_places) {
   const PartModel& model = report.model;
   const std::string unit = length_unit(model.part);
   std::vector<std::string> ways;
@@ -153,10 +153,10 @@ std::string change_text(const ActionsReport& report, std::size_t undercut) {
   if (const auto& window = change.window) {
     const FigureStyle style(model);
     const std::string least = rounded(window->least_thickness), greatest = rounded(window->thickness);
-    ways.push_back(fmt::format("open a window of {} towards the {} at {}, through {}{} {} of wall",
+    ways.push_back(fmt::format("open a window of {} towards the {}{}, through {}{} {} of wall",
                                style.with_unit(FigureKind::area, window->area), side_name(window->core_side),
-                               style.point(window->place), least == greatest ? "" : least + " to ", greatest,
-                               unit));
+                               with_places ? " at " + style.point(window->place) : "",
+                               least == greatest ? "" : least + " to ", greatest, unit));
   }
   return ways.empty() ? "-" : fmt::format("{}", fmt::join(ways, ", or "));
 }

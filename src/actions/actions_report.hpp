@@ -28,8 +28,9 @@ struct ActionsReport {
 [[nodiscard]] std::string freedom_text(const SideAction& action, const std::string& unit);
 /// What frees an undercut without an action, or gives its lifter room: "widen the mouth from 1 to 6 mm, for a
 /// lifter, or cut back by 2.4 mm, or open 47.9 mm² towards core at 1, 2, 3, through 1.5 to 2 mm"; "-" for
-/// nothing. The changes were looked for.
-[[nodiscard]] std::string change_text(const ActionsReport& report, std::size_t undercut);
+/// nothing. The changes were looked for. `with_places`: where the window is, too.
+[[nodiscard]] std::string change_text(const ActionsReport& report, std::size_t undercut,
+                                      bool with_places = true);
 /// Pairs of slides, or of lifters, that would meet, named as their rows are counted, in a paragraph; empty
 /// where there are none.
 [[nodiscard]] std::string meetings_text(const ActionPlan& plan);

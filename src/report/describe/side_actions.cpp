@@ -52,10 +52,24 @@ Section plan_section(const ActionsReport& found) {
 /// What would have to be changed of the part instead.
 Section changes_section(const ActionsReport& found) {
   Section section{"Without side actions", {}};
-  Table table{{{"#"}, {"change of the part", true}}, {}};
+  // What is the same for several but for the place is one row.
+  struct Change {
+    std::string text;
+    std::vector<std::size_t> undercuts;
+  };
+  std::vector<Change> changes;
   for (std::size_t k = 0; k < found.changes.size(); ++k) {
-    const std::string change = change_text(found, k);
-    if (change != "-") table.rows.push_back({{{fmt::format("{}", k + 1)}, {with_minus(change)}}});
+    const std::string text = change_text(found, k, false);
+    if (text == "-") continue;
+    auto same = std::ranges::find(changes, text, &Change::text);
+    if (same == changes.end()) same = changes.insert(changes.end(), {text, {}});
+    same->undercuts.push_back(k);
+  }
+  Table table{{{"#", true}, {"change of the part", true}}, {}};
+  for (const Change& change : changes) {
+    const std::string each = change.undercuts.size() > 1 ? "each: " : "";
+    const std::string text = each.empty() ? change_text(found, change.undercuts.front()) : each + change.text;
+    table.rows.push_back({{{numbers_text(change.undercuts)}, {with_minus(text)}}});
   }
   if (table.rows.empty()) {
     section.add("No simple change of the part frees an undercut.");
