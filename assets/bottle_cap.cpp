@@ -54,7 +54,9 @@ TopoDS_Shape bottle_cap() {
   for (int i = 0; i < k_knurls; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / k_knurls;
     const double radius = k_outer_radius + 0.45;
-    knurls.push_back(pin(radius * std::cos(angle), radius * std::sin(angle), 2.2, k_height + 1.0, 0.75, 0.0));
+    // They end below the rim, so that the half of the closed end forms them and the halves meet at the rim.
+    knurls.push_back(
+        pin(radius * std::cos(angle), radius * std::sin(angle), -1.0, k_height - 2.0, 0.75, 0.0));
   }
   body = cut(body, knurls);
   const TopoDS_Shape hollow =
