@@ -39,6 +39,9 @@ constexpr double k_inclined = 1e-3;
 /// Land around what a slide forms, in shares of the usual one: the first that goes.
 constexpr double k_lands[] = {1.0, 0.3, 0.05};
 
+/// Twice the lateral tolerance may be thick on average what slides that share a body leave to the plastic.
+constexpr double k_rest_of_shared = 4.0;
+
 struct Tried {
   SlideBlank blank;
   std::size_t action = 0;
@@ -238,7 +241,8 @@ class PieceMaker {
       body.volume = signed_volume(body.mesh);
       const glm::dvec3 pull(0, 0, half == 0 ? 1.0 : -1.0);
       std::string why;
-      if (const WayOut out = way_out(as_in_part(body.mesh), part_, pull); out.blocked > k_way_slack)
+      if (const WayOut out = way_out(as_in_part(body.mesh), part_, pull, INFINITY, k_way_slack);
+          out.blocked > k_way_slack)
         why = "the bars leave some of what they form to their half";
       if (why.empty() && !put_body(put, half, std::move(body), thinnest, progress_))
         why = "around it its half would cross itself by rounding";
@@ -325,7 +329,7 @@ class PieceMaker {
           FigureStyle(wish_.model)
               .point(wish_.plain.centre + wish_.model.frame.diagonal * wish_.plain.frame.to_part(out.place)));
     };
-    const WayOut aside = way_out(mesh, part_, travel, length);
+    const WayOut aside = way_out(mesh, part_, travel, length, k_way_slack);
     if (aside.blocked > k_way_slack) return stands(aside);
     Bounds room;
     for (glm::dvec3& vertex : mesh.vertices) {
@@ -333,7 +337,8 @@ class PieceMaker {
       vertex += length * travel;
       room.add(vertex);
     }
-    if (const WayOut up = way_out(mesh, part_, off); up.blocked > k_way_slack) return stands(up);
+    if (const WayOut up = way_out(mesh, part_, off, INFINITY, k_way_slack); up.blocked > k_way_slack)
+      return stands(up);
     if (room.min.x <= wish_.plain.block_low.x || room.min.y <= wish_.plain.block_low.y ||
         room.max.x >= wish_.plain.block_high.x || room.max.y >= wish_.plain.block_high.y)
       return "it would leave the block at its side";
@@ -474,7 +479,7 @@ class PieceMaker {
       // What is too thin for an insert the plastic fills.
       for (TriangleMesh& mesh : rest) {
         MoldBody body = as_body(std::move(mesh));
-        if (is_speck(body, unit)) {
+        if (is_speck(body, k_rest_of_shared * unit)) {
           halves.specks_volume += body.volume;
         } else {
           made.push_back(std::move(body));
@@ -503,7 +508,7 @@ class PieceMaker {
     const glm::dvec3 way = way_of(tried[blank].action);
     std::string in_way;
     const auto looked_at = [&](const TriangleMesh& still, std::string_view name) {
-      const WayOut out = way_out(mesh, still, way);
+      const WayOut out = way_out(mesh, still, way, INFINITY, k_way_slack);
       if (out.blocked <= k_way_slack || !in_way.empty()) return;
       const glm::dvec3 place =
           wish_.plain.centre + wish_.model.frame.diagonal * wish_.plain.frame.to_part(out.place);

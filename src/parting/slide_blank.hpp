@@ -34,13 +34,14 @@ struct SlideBlank {
 [[nodiscard]] SlideBlank slide_blank(const BlankWish& wish);
 
 /// How far, and where, something stands in the way of a piece that moves out along its way. Looked at on some
-/// 20,000 lines through all of the piece. `reach`: how far it goes.
+/// 20,000 lines through all of the piece. `reach`: how far it goes. `rim`: what is met no wider than that
+/// does not count.
 struct WayOut {
   double blocked = 0.0;
   double share = 0.0;  // of the piece's lines, on which something does
   glm::dvec3 place{0.0};
 };
 [[nodiscard]] WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::dvec3& way,
-                             double reach = INFINITY);
+                             double reach = INFINITY, double rim = 0.0);
 
 }  // namespace moldlight
