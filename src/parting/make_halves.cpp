@@ -23,10 +23,6 @@ namespace moldlight {
 
 namespace {
 
-/// What is tried, one after the other.
-constexpr SheetTolerance k_attempts[] = {{1e-7, 1.0}, {1e-6, 1.0}, {1e-7, 0.1}, {1e-6, 0.1},
-                                         {2e-6, 1.0}, {1e-8, 1.0}, {1e-8, 0.1}, {1e-7, 0.3},
-                                         {1e-9, 0.1}, {1e-7, 0.0}, {4e-6, 0.1}, {1e-5, 0.1}};
 /// So many are tried where the halves are certain but not beautiful: facets cross by rounding, or four meet
 /// in an edge.
 constexpr std::size_t k_most_tries_for_cleaner = 5;
@@ -462,7 +458,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
     const HalvesWish asked{split, alone, beside, model, place, assigned, settings, caps};
     std::size_t tried = 0;
     first.reset();
-    for (const SheetTolerance& attempt : k_attempts) {
+    for (const SheetTolerance& attempt : k_sheet_attempts) {
       if (tried >= k_most_beside && !beside.blanks.empty()) return;
       if (best && tried >= k_most_tries_for_cleaner) return;
       ++tried;

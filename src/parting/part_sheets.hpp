@@ -21,6 +21,11 @@ struct SheetTolerance {
   double tolerance = 1e-7, upright = 1.0;
 };
 
+/// What is tried, one after the other, until the bodies close.
+inline constexpr SheetTolerance k_sheet_attempts[] = {{1e-7, 1.0}, {1e-6, 1.0}, {1e-7, 0.1}, {1e-6, 0.1},
+                                                      {2e-6, 1.0}, {1e-8, 1.0}, {1e-8, 0.1}, {1e-7, 0.3},
+                                                      {1e-9, 0.1}, {1e-7, 0.0}, {4e-6, 0.1}, {1e-5, 0.1}};
+
 /// The sheets with what the caps add to the part, in cubes of the diagonal.
 struct PartSheets {
   Sheets sheets;

@@ -20,8 +20,6 @@ namespace moldlight {
 
 namespace {
 
-constexpr SheetTolerance k_sweep_attempts[] = {
-    {1e-7, 1.0}, {1e-6, 1.0}, {1e-7, 0.1}, {2e-6, 1.0}, {1e-8, 1.0}};
 constexpr double k_in_end = 1e-6;      // off the blank's end
 constexpr double k_most_lost = 5e-10;  // of the volume, in cubes of the diagonal
 constexpr unsigned k_seen = Sheets::bit(Sheet::upper), k_end = Sheets::bit(Sheet::beside),
@@ -111,7 +109,7 @@ std::optional<SweptOut> swept_out(const TriangleMesh& body, const SlideBlank& bl
   const SplitMesh split =
       exact_split(part, {.direction = way, .tau_deg = 0.0, .lateral = 0.0}, progress).mesh;
   const double whole = signed_volume(body);
-  for (const SheetTolerance& attempt : k_sweep_attempts) {
+  for (const SheetTolerance& attempt : k_sheet_attempts) {
     Sheets sheets =
         part_sheets(split, static_cast<FacetIndex>(walls.facets.size()), frame, attempt, nullptr).sheets;
     add_end(hollow.end, frame, sheets);
