@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -43,25 +42,28 @@ class BodyShaper::Maker {
   Maker(const PartModel& model, const SplitMesh& split, const ExactQuery& query, const ActionPlan& plan,
         std::size_t number)
       : model_(model), action_(plan.actions[number]), release_(model, query) {
-    std::map<VertexIndex, VertexIndex> own;
-    std::set<FacetIndex> formed;
+    constexpr VertexIndex k_not_yet = std::numeric_limits<VertexIndex>::max();
+    std::vector<VertexIndex> own(split.vertices.size(), k_not_yet);
+    std::vector<char> formed(model.part.mesh.facets.size(), 0);
     for (const std::size_t undercut : action_.undercuts) {
       const UndercutReport& noted = plan.undercuts[undercut];
       // What is formed with an undercut goes with the action that releases most of it.
       if (!action_.about && action_of(plan, undercut) == &plan.actions[number])
-        formed.insert(noted.formed.begin(), noted.formed.end());
+        for (const FacetIndex facet : noted.formed) formed[facet] = 1;
     }
     for (std::uint32_t piece = 0; piece < split.pieces.size(); ++piece) {
       const std::int32_t its = plan.action_of_piece[piece];
       if (its != k_no_action_of_piece ? its != static_cast<std::int32_t>(number)
-                                      : !formed.contains(split.pieces[piece].facet))
+                                      : formed[split.pieces[piece].facet] == 0)
         continue;
       Corners& corners = triangles_.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
         const VertexIndex vertex = split.pieces[piece].corners[k];
-        const auto [at, added] = own.try_emplace(vertex, static_cast<VertexIndex>(vertices_.size()));
-        if (added) vertices_.push_back(split.vertices[vertex]);
-        corners[k] = at->second;
+        if (own[vertex] == k_not_yet) {
+          own[vertex] = static_cast<VertexIndex>(vertices_.size());
+          vertices_.push_back(split.vertices[vertex]);
+        }
+        corners[k] = own[vertex];
       }
     }
     if (!action_.about) leave_out_blocked();
@@ -92,6 +94,7 @@ class BodyShaper::Maker {
       return false;
     lost_ += lost;
     triangles_ = std::move(left);
+    surface_.reset();
     hits_.insert(hits_.end(), points.begin(), points.end());
     return true;
   }
@@ -111,7 +114,8 @@ class BodyShaper::Maker {
 
   std::optional<TriangleMesh> make(double thickness) {
     if (triangles_.empty() || action_.kind == ActionKind::strip) return std::nullopt;
-    OpenSurface surface = surface_of_triangles();
+    if (!surface_) find_surface();
+    const OpenSurface& surface = *surface_;
     thins_ = false;
     if (action_.kind == ActionKind::unscrew) return solid_between(surface, toward_axis(surface));
     const bool leaves = is_slide(action_.kind);
@@ -120,16 +124,12 @@ class BodyShaper::Maker {
     thickness *= k_thickness * diagonal;
     double length = thickness;
     if (leaves) {
-      if (!reach_) reach_ = release_.reach(action_.direction);
-      length = (*reach_ + k_beyond) * diagonal - least_reach(surface.mesh.vertices);
+      length = way_out_;
     } else if (std::isfinite(action_.clear_to)) {
       // A lifter's head is above its stem.
       for (const Stem& stem : action_.stems) length = std::max(length, thin * stem.behind);
       length = std::clamp(action_.clear_to - action_.travel, k_least_thickness * diagonal, length);
     }
-    const std::size_t own = triangles_.size();
-    if (leaves && close_far_ends(surface)) surface = surface_of_triangles();
-    triangles_.resize(own);
     const glm::dvec3 normal = mean_normal(surface.mesh);
     const glm::dvec3 way = length * (action_.direction + k_lean * normal);
     TriangleMesh solid = solid_between(surface, shifted(surface, way));
@@ -237,12 +237,23 @@ class BodyShaper::Maker {
     return static_cast<double>(count) / static_cast<double>(places.size());
   }
 
+  /// Of the triangles, a slide's with caps.
+  void find_surface() {
+    surface_ = surface_of_triangles();
+    if (!is_slide(action_.kind)) return;
+    if (!reach_) reach_ = release_.reach(action_.direction);
+    way_out_ = (*reach_ + k_beyond) * model_.frame.diagonal - least_reach(surface_->mesh.vertices);
+    const std::size_t own = triangles_.size();
+    if (close_far_ends(*surface_)) surface_ = surface_of_triangles();
+    triangles_.resize(own);
+  }
+
   /// Where fans of triangles meet in a point they are drawn back from it, each into itself, so that the walls
   /// over them do not share an edge.
   [[nodiscard]] OpenSurface surface_of_triangles() const {
     constexpr double k_back = 1e-3;  // of the triangles' size
     OpenSurface surface = open_surface(vertices_, triangles_);
-    std::map<VertexIndex, int> uses;
+    std::vector<int> uses(vertices_.size(), 0);
     for (const VertexIndex source : surface.sources) ++uses[source];
     const std::vector<glm::dvec3> corners = surface.mesh.vertices;
     for (const auto& facet : surface.mesh.facets) {
@@ -399,11 +410,13 @@ class BodyShaper::Maker {
   std::vector<glm::dvec3> vertices_;  // of its pieces of the split mesh, and such as divide them
   SideAction action_;
   Release release_;
-  std::vector<std::array<VertexIndex, 3>> triangles_;  // with caps
+  std::vector<std::array<VertexIndex, 3>> triangles_;  // with caps while these are found
+  std::optional<OpenSurface> surface_;                 // of the triangles, once it was asked for
   double whole_ = 0.0, lost_ = 0.0;                    // area at first, and what of it was left out since
   bool thins_ = false;                                 // what was made last
   std::vector<glm::dvec3> hits_;                       // for which it was
   std::optional<double> reach_;                        // of the part along its way, once that was asked for
+  double way_out_ = 0.0;                               // of a slide's surface
 };
 
 BodyShaper::BodyShaper(const PartModel& model, const SplitMesh& split, const ExactQuery& query,

@@ -34,8 +34,9 @@ struct PlayedBody {
     std::vector<glm::dvec3> points = {};  // that hit
   };
   std::shared_ptr<const PartModel> model;
-  std::vector<glm::dvec3> points = {};  // of its surface
-  std::size_t few = 0;                  // that are spread evenly, at the beginning
+  std::vector<glm::dvec3> points = {};               // of its surface
+  std::size_t few = 0;                               // that are spread evenly, at the beginning
+  mutable std::optional<double> least_section = {};  // once it was asked for
   mutable SoFar in_part = {};
   /// By whether the other moves first.
   mutable std::map<std::pair<const PlayedBody*, bool>, SoFar> in_others = {};
@@ -437,9 +438,11 @@ void BodyPlayer::measure(ActionPlan& plan, bool fine) {
     const std::shared_ptr<const PartModel>& model = bodies[k].solid->model;
     SideAction& action = plan.actions[bodies[k].action];
     const glm::dvec3& way = action.kind == ActionKind::unscrew ? action.about->direction : action.direction;
+    std::optional<double>& section = bodies[k].solid->least_section;
+    if (!section) section = least_section(model->part.mesh, way);
     action.body = BodyFigures{.solid = {model, &model->part.mesh},
                               .volume = model->health.volume,
-                              .least_section = least_section(model->part.mesh, way),
+                              .least_section = *section,
                               .hit = hits[k]};
   }
 }

@@ -1,5 +1,6 @@
 // Pulls for each undercut, those that several can share, and the cheapest set of them.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -380,10 +381,20 @@ class ActionSearch::Finder {
 
   void measure(ActionPlan& plan, bool fine) {
     if (!faces_) faces_ = part_faces(model_.part, model_.geometry, model_.adjacency);
-    plan.undercuts.resize(undercuts_.counted.size());
-    for (std::size_t k = 0; k < plan.undercuts.size(); ++k) {
-      plan.undercuts[k].undercut = undercuts_.counted[k];
-      add_formed_surface({model_, split_, *faces_, pulls_.release()}, action_of(plan, k), plan.undercuts[k]);
+    plan.undercuts.clear();
+    for (std::size_t k = 0; k < undercuts_.counted.size(); ++k) {
+      const SideAction* action = action_of(plan, k);
+      FormedKey key = {static_cast<double>(k)};
+      if (action != nullptr && !action->about) {
+        const glm::dvec3& way = action->direction;
+        key = {key[0], 1.0 + static_cast<double>(action->kind), way.x, way.y, way.z, action->travel};
+      }
+      const auto [known, is_new] = formed_.try_emplace(key);
+      if (is_new) {
+        known->second.undercut = undercuts_.counted[k];
+        add_formed_surface({model_, split_, *faces_, pulls_.release()}, action, known->second);
+      }
+      plan.undercuts.push_back(known->second);
     }
     bodies_.measure(plan, fine);
   }
@@ -442,6 +453,8 @@ class ActionSearch::Finder {
   RevolvedOptions revolved_;                          // threads and rings
   std::optional<std::vector<ActionOption>> options_;  // once they are found
   std::optional<Faces> faces_;
+  using FormedKey = std::array<double, 6>;
+  std::map<FormedKey, UndercutReport> formed_;  // by undercut, kind, direction and travel of its action
   BodyPlayer bodies_;
 };
 

@@ -41,7 +41,11 @@ class LeastSet {
  public:
   LeastSet(const ChosenContext& context, const std::vector<UndercutPart>& undercut_parts,
            const LeastSetQuestions& ask, const Progress& progress)
-      : context_(context), undercut_parts_(undercut_parts), ask_(ask), progress_(progress) {}
+      : context_(context),
+        undercut_parts_(undercut_parts),
+        ask_(ask),
+        progress_(progress),
+        meetings_(context.model, context.split, context.pulls.release()) {}
 
   ActionPlan run(std::vector<ActionOption> options) {
     constexpr int k_most_others = 12;  // rounds in which others are looked for
@@ -308,7 +312,7 @@ class LeastSet {
     if (!nearest_parts_) nearest_parts_ = nearest_parts(context_, undercut_parts_);
     draft.plan.action_of_piece =
         actions_of_pieces(context_, undercut_parts_, *nearest_parts_, of_atom, draft.plan.actions);
-    find_meetings(context_.model, context_.split, context_.pulls.release(), draft.plan);
+    meetings_.find(draft.plan);
     return draft;
   }
 
@@ -362,8 +366,7 @@ class LeastSet {
         moved[side].moves.push_back(move_of(known_.at({c, options_[c].undercut_parts})));
       }
     }
-    for (const auto& [a, b] : crossing_moves(context_.model, context_.split, context_.pulls.release(),
-                                             draft.plan, moved[0], moved[1]))
+    for (const auto& [a, b] : meetings_.crossing_moves(draft.plan, moved[0], moved[1]))
       take_down(alike[0][a], alike[1][b]);
   }
 
@@ -398,6 +401,7 @@ class LeastSet {
   const std::vector<UndercutPart>& undercut_parts_;
   const LeastSetQuestions& ask_;
   const Progress& progress_;
+  MeetingFinder meetings_;
   std::vector<ActionOption> options_;
   std::vector<CoverOption> priced_;
   std::vector<CoverClash> clashes_;

@@ -5,22 +5,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <unordered_map>
+#include <map>
 
 #include <glm/geometric.hpp>
 
 namespace moldlight {
-
-namespace {
-
-constexpr std::size_t k_way_samples = 64;  // samples of an action
-constexpr int k_places = 16;               // on the way of each, where the other may be
-constexpr double k_way_beyond = 0.08;      // the part, share of the diagonal
-constexpr double k_parallel = 1e-3;        // sine between directions whose ways cannot cross
-constexpr double k_least_met = 0.02;       // share of the samples
-constexpr int k_places_within = 5;         // in the box round an undercut that another action forms
-constexpr double k_least_within = 0.1;
-constexpr double k_inside = 1e-6;  // of barycentric coordinates: rounding
 
 struct WayReach {
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
@@ -33,7 +22,7 @@ struct WayReach {
 
 /// In the unit frame.
 struct Way {
-  std::size_t action = 0;
+  std::size_t action = 0, number = 0;  // the number is that of no other way
   ActionKind kind = ActionKind::slide;
   bool core_side = true;
   glm::dvec3 direction{1, 0, 0};
@@ -47,9 +36,26 @@ struct Way {
   }
 };
 
+/// By what an action forms, and how it moves.
+using Ways = std::map<std::vector<double>, Way>;
+/// By the numbers of the two.
+using MetWays = std::map<std::pair<std::size_t, std::size_t>, bool>;
+
+namespace {
+
+constexpr std::size_t k_way_samples = 64;  // samples of an action
+constexpr int k_places = 16;               // on the way of each, where the other may be
+constexpr double k_way_beyond = 0.08;      // the part, share of the diagonal
+constexpr double k_parallel = 1e-3;        // sine between directions whose ways cannot cross
+constexpr double k_least_met = 0.02;       // share of the samples
+constexpr int k_places_within = 5;         // in the box round an undercut that another action forms
+constexpr double k_least_within = 0.1;
+constexpr double k_inside = 1e-6;  // of barycentric coordinates: rounding
+
 class Meetings {
  public:
-  Meetings(const PartModel& model, const SplitMesh& split, const Release& release, const ActionPlan& plan)
+  Meetings(const PartModel& model, const SplitMesh& split, const Release& release, const ActionPlan& plan,
+           Ways& known)
       : model_(model), split_(split), release_(release), plan_(plan) {
     std::vector<Undercut> surfaces(plan.actions.size());
     for (std::uint32_t piece = 0; piece < split.pieces.size(); ++piece) {
@@ -58,22 +64,41 @@ class Meetings {
       Undercut& surface = surfaces[static_cast<std::size_t>(action)];
       surface.pieces.push_back(piece);
       surface.area += piece_area(split, split.pieces[piece]);
-      pieces_.emplace(split.pieces[piece].facet, piece);
+      pieces_.emplace_back(split.pieces[piece].facet, piece);
     }
+    std::ranges::sort(pieces_);
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
       if (surfaces[k].area <= 0.0) continue;
-      ways_.push_back({.action = k,
-                       .kind = plan.actions[k].kind,
-                       .samples = sample_undercut(model, split, surfaces[k], k_way_samples)});
-      ways_.back() = moved(ways_.back(), move_of(plan.actions[k]));
+      const SideAction& action = plan.actions[k];
+      const ActionMove move = move_of(action);
+      std::vector<double> key = {static_cast<double>(action.kind),
+                                 action.core_side ? 1.0 : 0.0,
+                                 move.direction.x,
+                                 move.direction.y,
+                                 move.direction.z,
+                                 move.travel,
+                                 move.room,
+                                 static_cast<double>(action.undercuts.size())};
+      key.insert(key.end(), action.undercuts.begin(), action.undercuts.end());
+      key.insert(key.end(), surfaces[k].pieces.begin(), surfaces[k].pieces.end());
+      const auto [at, is_new] = known.try_emplace(std::move(key));
+      if (is_new)
+        at->second = moved({.number = known.size(),
+                            .kind = action.kind,
+                            .samples = sample_undercut(model, split, surfaces[k], k_way_samples)},
+                           move);
+      ways_.push_back(at->second);
+      ways_.back().action = k;
     }
   }
 
-  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> pairs() const {
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> pairs(MetWays& known) const {
     std::vector<std::pair<std::size_t, std::size_t>> found;
     for (std::size_t a = 0; a < ways_.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
-        if (meet(ways_[a], ways_[b])) found.emplace_back(ways_[b].action, ways_[a].action);
+        const auto [at, is_new] = known.try_emplace(std::minmax(ways_[a].number, ways_[b].number));
+        if (is_new) at->second = meet(ways_[a], ways_[b]);
+        if (at->second) found.emplace_back(ways_[b].action, ways_[a].action);
       }
     }
     return found;
@@ -201,11 +226,11 @@ class Meetings {
   /// Whether the action forms the place (unit frame) where a ray met the part.
   [[nodiscard]] bool forms(const Way& way, const ExactRays::Hit& hit, const glm::dvec3& place) const {
     const glm::dvec3 at = model_.frame.center + model_.frame.diagonal * place;
-    const auto [begin, end] = pieces_.equal_range(hit.facet);
-    return std::any_of(begin, end, [&](const auto& entry) {
-      return plan_.action_of_piece[entry.second] == static_cast<std::int32_t>(way.action) &&
-             holds(split_.pieces[entry.second].corners, at);
-    });
+    return std::ranges::any_of(
+        std::ranges::equal_range(pieces_, hit.facet, {}, &FacetPiece::first), [&](const auto& entry) {
+          return plan_.action_of_piece[entry.second] == static_cast<std::int32_t>(way.action) &&
+                 holds(split_.pieces[entry.second].corners, at);
+        });
   }
 
   /// Of a point in the plane of a piece.
@@ -223,7 +248,8 @@ class Meetings {
   const SplitMesh& split_;
   const Release& release_;
   const ActionPlan& plan_;
-  std::unordered_multimap<FacetIndex, std::uint32_t> pieces_;  // that they form, by their facet
+  using FacetPiece = std::pair<FacetIndex, std::uint32_t>;
+  std::vector<FacetPiece> pieces_;  // that they form
   std::vector<Way> ways_;
 };
 
@@ -234,18 +260,27 @@ ActionMove move_of(const SideAction& action) {
   return {action.direction, action.travel, room, action.core_side};
 }
 
-void find_meetings(const PartModel& model, const SplitMesh& split, const Release& release, ActionPlan& plan) {
-  for (const auto& [a, b] : Meetings(model, split, release, plan).pairs()) {
+struct MeetingFinder::Known {
+  Ways ways;
+  MetWays met;
+};
+
+MeetingFinder::MeetingFinder(const PartModel& model, const SplitMesh& split, const Release& release)
+    : model_(model), split_(split), release_(release), known_(std::make_unique<Known>()) {}
+MeetingFinder::~MeetingFinder() = default;
+
+void MeetingFinder::find(ActionPlan& plan) {
+  for (const auto& [a, b] : Meetings(model_, split_, release_, plan, known_->ways).pairs(known_->met)) {
     plan.actions[a].meets.push_back(b);
     plan.actions[b].meets.push_back(a);
   }
   for (SideAction& action : plan.actions) std::ranges::sort(action.meets);
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> crossing_moves(
-    const PartModel& model, const SplitMesh& split, const Release& release, const ActionPlan& plan,
-    const MovedAction& one, const MovedAction& other) {
-  return Meetings(model, split, release, plan).crossing(one, other);
+std::vector<std::pair<std::size_t, std::size_t>> MeetingFinder::crossing_moves(const ActionPlan& plan,
+                                                                               const MovedAction& one,
+                                                                               const MovedAction& other) {
+  return Meetings(model_, split_, release_, plan, known_->ways).crossing(one, other);
 }
 
 }  // namespace moldlight

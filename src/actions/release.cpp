@@ -1,8 +1,11 @@
 #include "actions/release.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -54,9 +57,15 @@ double area_of(std::span<const UndercutSample> samples) {
   return area;
 }
 
+struct Release::Reaches {
+  std::mutex mutex;
+  std::map<std::array<double, 3>, double> along;
+};
+
 Release::Release(const PartModel& model, const ExactQuery& query, const Progress* progress)
     : model_(model),
       query_(query),
+      reaches_(std::make_shared<Reaches>()),
       sine_(std::max(std::sin(glm::radians(query.tau_deg)), k_least_sine)),
       progress_(progress) {}
 
@@ -249,10 +258,16 @@ TurnInterval Release::lifter_turn(std::span<const UndercutSample> samples, const
 }
 
 double Release::reach(const glm::dvec3& direction) const {
+  const std::array<double, 3> key = {direction.x, direction.y, direction.z};
+  {
+    const std::scoped_lock lock(reaches_->mutex);
+    if (const auto known = reaches_->along.find(key); known != reaches_->along.end()) return known->second;
+  }
   double greatest = -k_never;
   for (const glm::dvec3& vertex : model_.part.mesh.vertices)
     greatest = std::max(greatest, glm::dot(vertex - model_.frame.center, direction));
-  return greatest / model_.frame.diagonal;
+  const std::scoped_lock lock(reaches_->mutex);
+  return reaches_->along[key] = greatest / model_.frame.diagonal;
 }
 
 std::optional<double> Release::gap(const glm::dvec3& from, const glm::dvec3& along) const {

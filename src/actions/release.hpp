@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -137,8 +138,12 @@ class Release {
   [[nodiscard]] bool all_but_specks(std::span<const UndercutSample> samples, const Free& free,
                                     std::size_t& first) const;
 
+  /// What was found of reach() along the directions that were asked for.
+  struct Reaches;
+
   const PartModel& model_;
   ExactQuery query_;
+  std::shared_ptr<Reaches> reaches_;
   double sine_;  // of tau
   const Progress* progress_;
 };

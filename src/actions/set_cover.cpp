@@ -24,7 +24,8 @@ class Search {
         prices_(options.size()),
         covered_(undercut_parts, 0),
         allowed_(options.size(), 1),
-        price_(options.size(), 0.0) {
+        price_(options.size(), 0.0),
+        touched_(options.size(), 0) {
     for (std::size_t c = 0; c < options.size(); ++c) {
       CHECK(options[c].cost > 0.0);
       for (const std::size_t undercut_part : options[c].undercut_parts)
@@ -85,17 +86,17 @@ class Search {
 
   /// Cost that the open undercut parts need at least: of undercut parts that share no option each needs one
   /// of its own.
-  [[nodiscard]] double bound() const {
+  [[nodiscard]] double bound() {
     double least = 0.0;
-    std::vector<char> touched(options_.size(), 0);
+    ++round_;
     for (std::size_t undercut_part = 0; undercut_part < options_of_part_.size(); ++undercut_part) {
       if (covered_[undercut_part] > 0) continue;
       const auto& having = options_of_part_[undercut_part];
-      if (std::ranges::any_of(having, [&](std::size_t c) { return touched[c] != 0; })) continue;
+      if (std::ranges::any_of(having, [&](std::size_t c) { return touched_[c] == round_; })) continue;
       double cheapest = std::numeric_limits<double>::infinity();
       for (const std::size_t c : having) {
         cheapest = std::min(cheapest, cost_now(c));
-        touched[c] = 1;
+        touched_[c] = round_;
       }
       least += cheapest;
     }
@@ -165,7 +166,9 @@ class Search {
   std::vector<std::map<std::size_t, double>> prices_;      // of each option's clashes, by the other option
   std::vector<int> covered_;                               // how often each undercut part is
   std::vector<char> allowed_;
-  std::vector<double> price_;  // of each option, of its clashes with what is chosen
+  std::vector<double> price_;         // of each option, of its clashes with what is chosen
+  std::vector<std::size_t> touched_;  // options that bound() came past, the last time
+  std::size_t round_ = 0;             // of bound()
   std::vector<std::size_t> chosen_, best_;
   double best_cost_ = std::numeric_limits<double>::infinity();
   std::size_t nodes_ = 0;

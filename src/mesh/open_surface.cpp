@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -24,18 +23,29 @@ Side next_corner(Side corner) { return corner % 3 == 2 ? corner - 2 : corner + 1
 
 /// For each side the one across it, k_no_vertex at the border.
 std::vector<Side> pair_sides(std::span<const std::array<VertexIndex, 3>> triangles) {
-  std::map<std::pair<VertexIndex, VertexIndex>, std::vector<Side>> at_edge;
+  struct Use {
+    VertexIndex low, high;
+    Side side;
+    auto operator<=>(const Use&) const = default;
+  };
   const auto corner = [&](Side side) { return triangles[side / 3][side % 3]; };
-  const auto count = static_cast<Side>(3 * triangles.size());
-  for (Side side = 0; side < count; ++side) {
-    const std::pair ends = std::minmax({corner(side), corner(next_corner(side))});
-    at_edge[ends].push_back(side);
+  std::vector<Use> uses;
+  uses.reserve(3 * triangles.size());
+  for (Side side = 0; side < 3 * triangles.size(); ++side) {
+    const auto [low, high] = std::minmax({corner(side), corner(next_corner(side))});
+    uses.push_back({low, high, side});
   }
-  std::vector<Side> across(count, k_no_vertex);
-  for (const auto& [ends, sides] : at_edge) {
-    if (sides.size() != 2 || corner(sides[0]) == corner(sides[1])) continue;
-    across[sides[0]] = sides[1];
-    across[sides[1]] = sides[0];
+  std::ranges::sort(uses);
+  std::vector<Side> across(uses.size(), k_no_vertex);
+  for (std::size_t first = 0, end = 0; first < uses.size(); first = end) {
+    const auto is_here = [&](const Use& use) {
+      return use.low == uses[first].low && use.high == uses[first].high;
+    };
+    while (end < uses.size() && is_here(uses[end])) ++end;
+    const Side one = uses[first].side, other = uses[end - 1].side;
+    if (end - first != 2 || corner(one) == corner(other)) continue;
+    across[one] = other;
+    across[other] = one;
   }
   return across;
 }
