@@ -14,11 +14,11 @@
 #include "classify/json.hpp"
 #include "classify/option_json.hpp"
 #include "cli/flags.hpp"
-#include "gui/script.hpp"
 #include "gui/store/files.hpp"
 #include "gui/window.hpp"
 #include "io/atomic_file.hpp"
 #include "mesh/length_unit.hpp"
+#include "replay/script.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {

@@ -4,7 +4,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
-#include "gui/script.hpp"
+#include "replay/script.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

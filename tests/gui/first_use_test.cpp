@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "gui/offscreen.hpp"
 #include "gui/panels/panels.hpp"
-#include "gui/script.hpp"
+#include "replay/offscreen.hpp"
+#include "replay/script.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shared_parts.hpp"

@@ -1,7 +1,7 @@
 // A window for tests that look at no final picture.
 #pragma once
 
-#include "gui/offscreen.hpp"
+#include "replay/offscreen.hpp"
 
 namespace moldlight::gui::test {
 

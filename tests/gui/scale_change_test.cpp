@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "gui/offscreen.hpp"
 #include "io/mesh_writer.hpp"
+#include "replay/offscreen.hpp"
 #include "support/boxes.hpp"
 #include "support/scratch_folder.hpp"
 

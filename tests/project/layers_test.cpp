@@ -32,7 +32,8 @@ const std::map<std::string, Layers>& allowed_layers() {
                       k_study = with(k_pieces, "pieces"), k_above_study = with(k_study, "study"),
                       k_entry = with(with(k_above_study, "compare"), "batch"),
                       k_report = with(with(k_above_study, "compare"), "page"),
-                      k_program = with(with(with(with(k_entry, "gui"), "report"), "page"), "serve");
+                      k_gui = with(k_entry, "report"), k_replay = with(k_gui, "gui"),
+                      k_program = with(with(with(k_replay, "replay"), "page"), "serve");
   static const std::map<std::string, Layers> k_allowed = {
       {"base", {}},
       {"mesh", {"base"}},
@@ -53,7 +54,8 @@ const std::map<std::string, Layers>& allowed_layers() {
       {"report", k_report},
       {"serve", {"base"}},
       {"step", {"io", "mesh"}},
-      {"gui", with(k_entry, "report")},
+      {"gui", k_gui},
+      {"replay", k_replay},
       {"cli", k_program},
       {"python", with(with(k_above_study, "compare"), "report")},
       {"freecad", {}},  // Python alone
@@ -71,8 +73,8 @@ struct LibraryRule {
 
 const std::vector<LibraryRule>& library_rules() {
   static const std::vector<LibraryRule> k_rules = {
-      {"Dear ImGui", std::regex("imgui.*"), {"gui"}},
-      {"GLFW", std::regex("GLFW/.*"), {"gui"}},
+      {"Dear ImGui", std::regex("imgui.*"), {"gui", "replay"}},
+      {"GLFW", std::regex("GLFW/.*"), {"gui", "replay"}},
       {"OpenGL", std::regex("(GL|GLES2|GLES3|EGL|KHR)/.*"), {"gl", "render"}},
       {"OpenMesh", std::regex("OpenMesh/.*"), {"mesh"}},
       {"Embree", std::regex("embree.*"), {"mold"}},
@@ -86,7 +88,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"JSON",
        std::regex("nlohmann/.*"),
        {"actions", "batch", "classify", "compare", "io", "page", "parting", "pieces", "report", "sweep",
-        "gui", "cli", "python", "serve", "study"}},
+        "gui", "replay", "cli", "python", "serve", "study"}},
   };
   return k_rules;
 }

@@ -1,4 +1,4 @@
-#include "gui/offscreen.hpp"
+#include "replay/offscreen.hpp"
 
 #include <chrono>
 #include <thread>

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "gui/offscreen.hpp"
 #include "gui/store/part_notes.hpp"
+#include "replay/offscreen.hpp"
 
 namespace moldlight::gui {
 

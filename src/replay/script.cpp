@@ -1,4 +1,4 @@
-#include "gui/script.hpp"
+#include "replay/script.hpp"
 
 #include <algorithm>
 #include <array>
