@@ -28,6 +28,24 @@ std::string FigureColumn::text(double value) const {
   return scientific_ ? fmt::format("{:.{}e}", value, decimals_) : fmt::format("{:.{}f}", value, decimals_);
 }
 
+std::string grouped(std::string_view number) {
+  constexpr std::string_view k_gap = "\u2009";
+  const std::size_t start = std::min(number.find_first_of("0123456789"), number.size());
+  const std::size_t end = std::min(number.find_first_not_of("0123456789", start), number.size());
+  std::string result(number.substr(0, start));
+  for (std::size_t k = start; k < end; ++k) {
+    if (k > start && (end - k) % 3 == 0 && end - start > 3) result += k_gap;
+    result += number[k];
+  }
+  return result + std::string(number.substr(end));
+}
+
+std::string with_sign(const FigureColumn& column, double value) {
+  std::string text = column.text(std::abs(value));
+  const bool none = text.find_first_not_of("0.") == std::string::npos;
+  return none ? "0" : (value < 0.0 ? "−" : "+") + grouped(text);
+}
+
 double share(double value, double whole) { return whole > 0.0 ? value / whole : 0.0; }
 
 std::string share_text(double value, double whole) {

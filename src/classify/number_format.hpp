@@ -20,6 +20,12 @@ class FigureColumn {
   bool scientific_ = false;  // for what would need a screen's width of zeros
 };
 
+/// Digits before the point in groups of three: "1 234.5" with thin gaps.
+[[nodiscard]] std::string grouped(std::string_view number);
+
+/// What a figure has become more or less, with its sign; 0 where it prints as nothing.
+[[nodiscard]] std::string with_sign(const FigureColumn& column, double value);
+
 /// What part of `whole` a value is; 0 of nothing.
 [[nodiscard]] double share(double value, double whole);
 /// The same as "2.03 %".

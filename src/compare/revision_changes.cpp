@@ -1,9 +1,13 @@
 #include "compare/revision_changes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
+
+#include "render/surface_sheets.hpp"
 
 namespace moldlight {
 
@@ -129,6 +133,35 @@ std::optional<std::size_t> nearest_change(const Revisions& revisions, const Revi
     found = k;
   }
   return found;
+}
+
+std::vector<ViewBody> lit_bodies(const Revisions& revisions, bool second,
+                                 const std::optional<std::size_t>& chosen,
+                                 const std::optional<CutPlane>& cut) {
+  const ComparedPart& part = revisions.part(second);
+  const SplitMesh& split = *part.result.split;
+  const UnitFrame& frame = part.model->frame;
+  constexpr Colour k_chosen_surface = {255, 246, 214};
+  const auto normal_of = [&](PieceIndex piece) {
+    return part.model->geometry.normals[split.pieces[piece].facet];
+  };
+  SurfaceSheets changed(frame, lit_colour(second ? Lit::added : Lit::gone), cut),
+      choice(frame, k_chosen_surface, cut), other(frame, lit_colour(Lit::other_region), cut);
+  for (const LitPolygon& one : revisions.lit[second ? 1 : 0]) {
+    const bool region = one.what == Lit::other_region;
+    const bool here = chosen && revisions.changes[*chosen].number == one.number &&
+                      revisions.changes[*chosen].of == (region ? Of::region : Of::place);
+    (here ? choice : region ? other : changed).add(*one.polygon, normal_of(one.piece));
+  }
+  if (chosen) {
+    for (const PieceIndex piece : revisions.pieces_of(second, *chosen)) {
+      const auto& [a, b, c] = split.pieces[piece].corners;
+      choice.add(std::array{split.vertices[a], split.vertices[b], split.vertices[c]}, normal_of(piece));
+    }
+  }
+  std::vector<ViewBody> bodies;
+  for (SurfaceSheets* sheets : {&changed, &other, &choice}) bodies.push_back(std::move(sheets->body));
+  return bodies;
 }
 
 }  // namespace moldlight

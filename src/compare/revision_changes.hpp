@@ -41,6 +41,12 @@ struct Revisions {
   [[nodiscard]] std::vector<PieceIndex> pieces_of(bool second, std::size_t change) const;
 };
 
+/// The lit surface of A or B as bodies to be drawn over the picture, in this order: gone or new,
+/// another region, what is chosen. What the plane cuts away is left out.
+[[nodiscard]] std::vector<ViewBody> lit_bodies(const Revisions& revisions, bool second,
+                                               const std::optional<std::size_t>& chosen,
+                                               const std::optional<CutPlane>& cut);
+
 /// The change of another comparison that is this one; nothing where there is none near it.
 [[nodiscard]] std::optional<std::size_t> nearest_change(const Revisions& revisions,
                                                         const RevisionChange& change);

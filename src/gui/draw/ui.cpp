@@ -42,18 +42,6 @@ void draw_text_to(const Lettering& lettering, float right, float top, std::strin
   draw_text(lettering, {right - text_size(lettering.font, text).x, top}, text);
 }
 
-std::string grouped(std::string_view number) {
-  constexpr std::string_view k_gap = "\u2009";
-  const std::size_t start = number.starts_with('-') ? 1 : 0;
-  const std::size_t end = std::min(number.find_first_not_of("0123456789", start), number.size());
-  std::string result(number.substr(0, start));
-  for (std::size_t k = start; k < end; ++k) {
-    if (k > start && (end - k) % 3 == 0 && end - start > 3) result += k_gap;
-    result += number[k];
-  }
-  return result + std::string(number.substr(end));
-}
-
 std::string fitted(const SizedFont& font, std::string_view text, float width) {
   if (text_size(font, text).x <= width) return std::string(text);
   for (std::size_t end = text.size(); end > 0;) {

@@ -15,6 +15,7 @@
 #include <glm/vec2.hpp>
 #include <imgui.h>
 
+#include "classify/number_format.hpp"
 #include "gui/draw/keyboard.hpp"
 #include "gui/store/user_state.hpp"
 #include "mold/region.hpp"
@@ -184,8 +185,6 @@ void draw_item_text(ImU32 colour, std::string_view text);
 void draw_text_to(const Lettering& lettering, float right, float top, std::string_view text);
 /// Text in the strong font.
 void heading(const Ui& ui, std::string_view text);
-/// Digits before the point in groups of three: "1 234.5" with thin gaps.
-[[nodiscard]] std::string grouped(std::string_view number);
 /// Shortened to fit a width in pixels: of sentences, and of what stands between dots, as many whole ones as
 /// there is room for; of anything else the middle is left out.
 [[nodiscard]] std::string fitted(const SizedFont& font, std::string_view text, float width);

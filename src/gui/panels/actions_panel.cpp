@@ -3,10 +3,10 @@
 #include <array>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
 #include "actions/action_figures.hpp"
+#include "actions/action_words.hpp"
 #include "actions/actions_files.hpp"
 #include "actions/actions_report.hpp"
 #include "classify/figure_table.hpp"
@@ -30,46 +30,6 @@ constexpr std::array<ListColumn, 3> k_action_columns = {{
     {"area", "Undercut area, in the part's unit squared.", 88.0F, true},
     {"action", "Action that releases it.", 110.0F, false},
 }};
-
-/// Directions about the parting direction are given by their azimuth.
-std::string turn_text(double from_deg, double to_deg) {
-  return with_minus(fmt::format("{:.1f} to {:.1f}°", from_deg, to_deg));
-}
-
-std::string shared_text(const SideAction& action, std::size_t undercut) {
-  std::vector<std::size_t> others;
-  for (const std::size_t found : action.undercuts)
-    if (found != undercut) others.push_back(found + 1);
-  return others.empty() ? std::string() : fmt::format(" · with {}", fmt::join(others, ", "));
-}
-
-/// The actions that it would meet, by the undercuts that they release.
-std::string meetings_text(const ActionPlan& plan, const SideAction& action) {
-  std::vector<std::size_t> others;
-  for (const std::size_t other : action.meets) others.push_back(plan.actions[other].undercuts.front() + 1);
-  return others.empty()
-             ? std::string()
-             : fmt::format(" · meets the {} of {}", action.kind == ActionKind::lifter ? "lifter" : "slide",
-                           fmt::join(others, ", "));
-}
-
-/// What else there is to say of an action: a lifter's stroke, a thread's pitch, a ring's strain.
-std::string detail_text(const SideAction& action, const std::string& unit) {
-  switch (action.kind) {
-    case ActionKind::unscrew:
-      return fmt::format("pitch {:.2f} {} · {:.2f} turns{}", std::abs(action.about->pitch), unit,
-                         action.about->turns, action.about->pitch < 0.0 ? " · left-handed" : "");
-    case ActionKind::strip:
-      return fmt::format("strain {:.1f} %", 100.0 * action.about->strain);
-    case ActionKind::lifter:
-      return fmt::format("stroke {:.1f} {} · free {}", *action.stroke, unit,
-                         turn_text(action.interval.from_deg, action.interval.to_deg));
-    case ActionKind::insert:
-      return "taken off by hand";
-    default:
-      return "free " + turn_text(action.interval.from_deg, action.interval.to_deg);
-  }
-}
 
 bool is_unreleased(const ActionPlan& plan, std::size_t undercut) {
   return std::ranges::find(plan.unreleased, undercut) != plan.unreleased.end();
@@ -148,16 +108,6 @@ void draw_own_directions(const PanelContext& context) {
   }
 }
 
-/// What releases the rest of an undercut that no action releases whole.
-std::string others_text(const ActionPlan& plan, std::size_t undercut, const SideAction& first) {
-  std::string text;
-  for (const SideAction& action : plan.actions) {
-    if (&action != &first && std::ranges::find(action.undercuts, undercut) != action.undercuts.end())
-      text += fmt::format(" · and {}", facts(action.kind).singular);
-  }
-  return text;
-}
-
 std::string tip_text(const AppState& state, std::size_t undercut) {
   const ActionPlan& plan = *state.actions.plan;
   const UndercutReport& found = plan.undercuts[undercut];
@@ -168,7 +118,7 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
     tip += fmt::format(
         " · {} along {}\ntravel {:.2f} {} · {}{}", facts(action->kind).singular,
         with_minus(direction_words(action->direction)), action->travel, unit, detail_text(*action, unit),
-        shared_text(*action, undercut) + others_text(plan, undercut, *action) + meetings_text(plan, *action));
+        shared_text(*action, undercut) + others_text(plan, undercut, *action) + meets_text(plan, *action));
     for (const FoundFigure& figure : found_figures(body_figures(), *action)) {
       if (figure.value)
         tip += fmt::format("{}{} {}", figure.key == body_figures().front().key ? "\n" : " · ", figure.title,

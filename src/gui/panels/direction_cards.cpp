@@ -88,12 +88,6 @@ void draw_direction_cards(const PanelContext& context, std::span<const unsigned>
     draw_card(context, k, width, cards[k].candidate < pictures.size() ? pictures[cards[k].candidate] : 0);
 }
 
-std::string with_sign(const FigureColumn& column, double value) {
-  std::string text = column.text(std::abs(value));
-  const bool none = text.find_first_not_of("0.") == std::string::npos;
-  return none ? "0" : (value < 0.0 ? "−" : "+") + grouped(text);
-}
-
 void draw_comparison(const PanelContext& context) {
   const AppState& state = context.state;
   const auto& compared = state.sweep_choices.compared;

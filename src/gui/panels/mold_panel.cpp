@@ -11,7 +11,6 @@
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/table_bar.hpp"
 #include "gui/view/mold_view.hpp"
-#include "parting/mold_figures.hpp"
 #include "parting/mold_report.hpp"
 #include "pieces/pieces_report.hpp"
 
@@ -27,19 +26,6 @@ constexpr std::array<ListColumn, 3> k_loop_columns = {{
     {"loop", "Outer line, shut-off of a through hole, or rim of a side action.", 36.0F, false},
     {"length", "", 232.0F, true},  // beside a scroll bar
 }};
-
-/// "Core half 123 mm³ · Cavity half 120 mm³".
-std::string figures_line(const FigureStyle& style, const std::vector<FoundFigure>& figures,
-                         bool of_surfaces) {
-  std::string line;
-  for (const FoundFigure& figure : figures) {
-    if (!style.is_shown(figure) || figure.key.starts_with("surface") != of_surfaces) continue;
-    const std::string unit = style.unit(figure.kind);
-    line += fmt::format("{}{} {}{}{}", line.empty() ? "" : " · ", figure.title, grouped(style.text(figure)),
-                        unit.empty() ? "" : " ", unit);
-  }
-  return with_minus(line);
-}
 
 /// The faces that a hand has given to a half: a click forgets them.
 void draw_cosmetic(const PanelContext& context) {
@@ -207,37 +193,22 @@ BarNews mold_news(const MoldState& mold, bool awaited, const std::string& known)
   return {.text = known};
 }
 
-}  // namespace
-
-std::string halves_refusal(const AppState& state) {
-  const MoldHalves& halves = state.mold.solids->halves;
-  const auto& place = halves.refused_at ? halves.refused_at : halves.written.refused_at;
-  const auto& line = state.mold.line;
-  return refusal_text(*state.model, halves, halves.written,
-                      place && line ? loop_near(line->line, *place) : std::string());
+/// The solids must be there.
+SaidHalves said_halves(const AppState& state) {
+  const MoldState& mold = state.mold;
+  return {.model = *state.model,
+          .settings = state.settings.mold,
+          .halves = mold.solids->halves,
+          .line = mold.line ? &mold.line->line : nullptr,
+          .by_action = mold.by_action.get()};
 }
 
+}  // namespace
+
+std::string halves_refusal(const AppState& state) { return halves_refusal(said_halves(state)); }
+
 std::vector<HalvesLine> halves_lines(const AppState& state) {
-  const MoldState& mold = state.mold;
-  if (!mold.solids) return {};
-  const PartModel& model = *state.model;
-  const MoldHalves& halves = mold.solids->halves;
-  if (const std::string refusal = halves_refusal(state); !refusal.empty()) return {{refusal, true}};
-  const FigureStyle style(model);
-  const std::vector<FoundFigure> figures = found_figures(halves_figures(), halves);
-  std::vector<HalvesLine> lines = {{figures_line(style, figures, false)},
-                                   {figures_line(style, figures, true)}};
-  for (const std::string& fault : half_faults(model, halves)) lines.push_back({sentence_of(fault), true});
-  for (const std::string& missed : missed_lines(model, halves)) lines.push_back({missed, true});
-  if (const std::string unfilled = unfilled_text(model, state.settings.mold, halves); !unfilled.empty())
-    lines.push_back({"No files: " + unfilled, true});
-  else if (mold.by_action) {
-    const auto moved = std::ranges::count_if(
-        *mold.by_action, [](const InsertActions& insert) { return !insert.actions.empty(); });
-    if (moved > 0)
-      lines.push_back({fmt::format("{} insert{} with side actions", moved, moved == 1 ? " goes" : "s go")});
-  }
-  return lines;
+  return state.mold.solids ? halves_lines(said_halves(state)) : std::vector<HalvesLine>();
 }
 
 void draw_line_panel(const PanelContext& context, TableBar& bar) {

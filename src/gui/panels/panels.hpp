@@ -16,6 +16,7 @@
 #include "gui/draw/bottom_panel.hpp"
 #include "gui/draw/panel_layout.hpp"
 #include "gui/view/direction.hpp"
+#include "parting/halves_words.hpp"
 
 namespace moldlight::gui {
 
@@ -79,8 +80,6 @@ void draw_cursor_readout(const PanelContext& context);
 [[nodiscard]] std::vector<std::string> readout_lines(const AppState& state);
 /// With a degree sign; what prints as nothing has no sign.
 [[nodiscard]] std::string draft_text(double draft_deg);
-/// What a figure has become more or less, with its sign; 0 where it prints as nothing.
-[[nodiscard]] std::string with_sign(const FigureColumn& column, double value);
 /// The line between the places that were clicked, or from the first to the cursor, with what was measured.
 void draw_measuring(const PanelContext& context);
 void draw_view_cube(const PanelContext& context);
@@ -179,11 +178,7 @@ void draw_verdict(const PanelContext& context);
 /// Why there are no halves, where, and what to change; empty where there are. The solids must be there.
 [[nodiscard]] std::string halves_refusal(const AppState& state);
 
-/// A line of what is said of the halves.
-struct HalvesLine {
-  std::string text;
-  bool doubt = false;  // something is to be done
-};
+/// What is said of the halves; nothing while they are not there.
 [[nodiscard]] std::vector<HalvesLine> halves_lines(const AppState& state);
 
 /// What is said of a face with too little draft; none where it has enough, or while that is not known.

@@ -3,12 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "classify/number_format.hpp"
+#include "compare/change_words.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
 #include "gui/panels/table_bar.hpp"
 #include "gui/view/revision_view.hpp"
-#include "mold/direction.hpp"
 
 namespace moldlight::gui {
 
@@ -32,96 +31,6 @@ constexpr std::array<ListColumn, 6> k_change_columns = {{
      456.0F, true},
     {"", "", 476.0F, false},
 }};
-
-/// A row's texts, without its number.
-struct RowTexts {
-  std::string before = "–", now = "–", volume, more;
-};
-
-class Texts {
- public:
-  explicit Texts(const Comparison& comparison)
-      : comparison_(comparison),
-        areas_(std::max(comparison.a.result.total_area, comparison.b.result.total_area)),
-        lengths_(10.0 * comparison.a.model->frame.diagonal) {}
-
-  [[nodiscard]] RowTexts of(const RevisionChange& change) const {
-    switch (change.of) {
-      case Of::place:
-        return of_place(comparison_.surface.places[change.number]);
-      case Of::region: {
-        const std::string area = grouped(areas_.text(comparison_.surface.regions[change.number].area));
-        return {.before = area, .now = area, .volume = {}, .more = "same surface, other region"};
-      }
-      case Of::undercut:
-        return of_undercut(comparison_.undercuts[change.number]);
-      case Of::action:
-        return of_action(comparison_.actions[change.number]);
-    }
-    return {};
-  }
-
-  /// "undercut 556.0, was 540.1 · core …"
-  [[nodiscard]] std::string regions() const {
-    std::string text;
-    const Classification &a = comparison_.a.result, &b = comparison_.b.result;
-    for (const Region region : {Region::undercut, Region::core, Region::cavity, Region::both}) {
-      text += fmt::format("{}{} {}, was {}", text.empty() ? "" : "  ·  ", region_name(region),
-                          grouped(areas_.text(b.areas[region])), grouped(areas_.text(a.areas[region])));
-    }
-    return fmt::format("{}  {}", text, powered_unit(comparison_.a.model->part, 2));
-  }
-
- private:
-  [[nodiscard]] RowTexts of_place(const ChangedPlace& place) const {
-    RowTexts texts;
-    if (place.gone.area > 0.0) texts.before = grouped(areas_.text(place.gone.area));
-    if (place.added.area > 0.0) texts.now = grouped(areas_.text(place.added.area));
-    if (comparison_.surface.closed) texts.volume = with_sign(areas_, place.volume.volume);
-    texts.more = fmt::format("{} {} across", grouped(lengths_.text(place.bounds.diagonal())),
-                             length_unit(comparison_.a.model->part));
-    return texts;
-  }
-
-  [[nodiscard]] RowTexts of_undercut(const MatchedChange& change) const {
-    RowTexts texts;
-    const auto depth = [&](const UndercutReport& undercut) {
-      return undercut.depth ? grouped(lengths_.text(*undercut.depth)) : "–";
-    };
-    const auto undercut = [&](const ComparedPart& part, std::size_t number, std::string& area) {
-      const UndercutReport& one = part.plan->undercuts[number];
-      area = grouped(areas_.text(one.undercut.area));
-      return depth(one);
-    };
-    std::string was, now;
-    if (change.a) was = undercut(comparison_.a, *change.a, texts.before);
-    if (change.b) now = undercut(comparison_.b, *change.b, texts.now);
-    const bool both = change.a && change.b;
-    texts.more = both ? fmt::format("deep {}, now {}", was, now) : "deep " + was + now;
-    return texts;
-  }
-
-  [[nodiscard]] RowTexts of_action(const MatchedChange& change) const {
-    RowTexts texts;
-    const auto action = [&](const ActionPlan& plan, std::size_t number, std::string& area) {
-      const SideAction& one = plan.actions[number];
-      area = grouped(areas_.text(one.area));
-      return with_minus(fmt::format("{} {} travel {}", facts(one.kind).singular,
-                                    direction_words(one.direction), lengths_.text(one.travel)));
-    };
-    std::string was, now;
-    if (change.a) was = action(*comparison_.a.plan, *change.a, texts.before);
-    if (change.b) now = action(*comparison_.b.plan, *change.b, texts.now);
-    const bool both = change.a && change.b;
-    texts.more = !both                             ? was + now
-                 : change.kind == ChangeKind::same ? now
-                                                   : fmt::format("{}, was {}", now, was);
-    return texts;
-  }
-
-  const Comparison& comparison_;
-  FigureColumn areas_, lengths_;
-};
 
 /// The colours that a change is lit in, that of A and that of B beside each other.
 void draw_swatch(const PanelContext& context, const RevisionChange& change, const glm::vec2& middle) {
@@ -165,17 +74,17 @@ void draw_change(const PanelContext& context, std::size_t number, const ScreenBo
   const RevisionChange& change = result.changes[number];
   const float alpha = revisions.stale ? 0.6F : 1.0F;
   const ImU32 colour = faded(change.changed() ? ui.colours->text : ui.colours->muted, alpha);
-  const RowTexts texts = Texts(result.comparison).of(change);
+  const ChangeWords words = ChangeWording(result.comparison).of(change);
   const float end = row.max.x - row.min.x;
   draw_cell(ui, row, k_change_columns[0], {ui.fonts.strong, colour}, std::to_string(number + 1));
   if (change.changed()) draw_swatch(context, change, {row.min.x + ui.px(44), row.centre().y});
   draw_cell(ui, row, k_change_columns[1], {ui.fonts.body, colour}, change_title(result, number), ui.px(180));
-  draw_cell(ui, row, k_change_columns[2], {ui.fonts.body, colour}, texts.before);
-  draw_cell(ui, row, k_change_columns[3], {ui.fonts.body, colour}, texts.now);
-  draw_cell(ui, row, k_change_columns[4], {ui.fonts.body, colour}, texts.volume);
-  draw_cell(ui, row, k_change_columns[5], {ui.fonts.small, faded(ui.colours->muted, alpha)}, texts.more,
+  draw_cell(ui, row, k_change_columns[2], {ui.fonts.body, colour}, words.before);
+  draw_cell(ui, row, k_change_columns[3], {ui.fonts.body, colour}, words.now);
+  draw_cell(ui, row, k_change_columns[4], {ui.fonts.body, colour}, words.volume);
+  draw_cell(ui, row, k_change_columns[5], {ui.fonts.small, faded(ui.colours->muted, alpha)}, words.more,
             std::max(end - ui.px(k_change_columns[5].at + 8), ui.px(24)));
-  tooltip(ui, change_title(result, number), fmt::format("{}\nClick to look at it in both.", texts.more));
+  tooltip(ui, change_title(result, number), fmt::format("{}\nClick to look at it in both.", words.more));
 }
 
 void draw_changes(const PanelContext& context, RowCursor& cursor) {
@@ -194,7 +103,7 @@ void draw_changes(const PanelContext& context, RowCursor& cursor) {
   draw_choices(context, changes, cursor,
                [&](std::size_t k, const ScreenBox& row) { draw_change(context, k, row); });
   const float width = room_left();
-  const std::string regions = Texts(result.comparison).regions();
+  const std::string regions = ChangeWording(result.comparison).regions();
   const glm::vec2 at = cursor_at();
   ImGui::Dummy(ImVec2(width, ui.px(k_change_line)));
   tooltip(ui, {}, regions);

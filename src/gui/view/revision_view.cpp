@@ -9,9 +9,10 @@
 
 #include "classify/figure_table.hpp"
 #include "classify/still_picture.hpp"
+#include "compare/change_words.hpp"
 #include "gui/draw/widgets.hpp"
-#include "mesh/convex_polygon.hpp"
 #include "mold/draft.hpp"
+#include "render/surface_sheets.hpp"
 
 namespace moldlight::gui {
 
@@ -19,36 +20,10 @@ namespace {
 
 using Of = RevisionChange::Of;
 
-constexpr Colour k_chosen = {255, 246, 214};
 /// Of what the picture's height spans, by which lit surface is drawn nearer to the eye: more than the depth
 /// of some pixels, by which refining moves the part's.
 constexpr double k_nearer = 0.003;
 constexpr double k_least_change_reach = 0.04;  // of a picture of a change, unit frame
-
-/// Sheets on the surface, flat.
-class Sheets {
- public:
-  Sheets(const UnitFrame& frame, Colour colour, const std::optional<CutPlane>& cut)
-      : frame_(frame), cut_(cut) {
-    body.colour = colour;
-  }
-
-  void add(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
-    ConvexPolygon polygon;
-    for (const glm::dvec3& corner : corners) polygon.push_back((corner - frame_.center) / frame_.diagonal);
-    if (cut_) polygon = parted(polygon, {cut_->normal, cut_->offset}, 0.0).inside;
-    const auto first = static_cast<VertexIndex>(body.vertices.size());
-    for (const glm::dvec3& corner : polygon)
-      body.vertices.push_back({glm::vec3(corner), octahedral(glm::vec3(normal))});
-    for (VertexIndex k = 2; k < polygon.size(); ++k) body.facets.push_back({first, first + k - 1, first + k});
-  }
-
-  ViewBody body;
-
- private:
-  const UnitFrame& frame_;
-  const std::optional<CutPlane>& cut_;
-};
 
 std::string change_area_text(const AppState& state, double area) {
   return FigureStyle(*state.model).with_unit(FigureKind::area, area);
@@ -91,32 +66,17 @@ bool is_lit(const AppState& state) {
          revisions.result->comparison.b.model == revisions.prepared->part.model;
 }
 
-std::vector<ViewBody> lit_bodies(const Revisions& revisions, bool second,
-                                 const std::optional<std::size_t>& chosen,
-                                 const std::optional<CutPlane>& cut) {
-  const ComparedPart& part = revisions.part(second);
-  const SplitMesh& split = *part.result.split;
-  const UnitFrame& frame = part.model->frame;
-  const auto normal_of = [&](PieceIndex piece) {
-    return part.model->geometry.normals[split.pieces[piece].facet];
-  };
-  Sheets changed(frame, lit_colour(second ? Lit::added : Lit::gone), cut), choice(frame, k_chosen, cut),
-      other(frame, lit_colour(Lit::other_region), cut);
-  for (const LitPolygon& one : revisions.lit[second ? 1 : 0]) {
-    const bool region = one.what == Lit::other_region;
-    const bool here = chosen && revisions.changes[*chosen].number == one.number &&
-                      revisions.changes[*chosen].of == (region ? Of::region : Of::place);
-    (here ? choice : region ? other : changed).add(*one.polygon, normal_of(one.piece));
+ViewBody lit_body(const PartModel& model, const SplitMesh& surface, Colour colour,
+                  const std::optional<CutPlane>& cut) {
+  SurfaceSheets sheets(model.frame, colour, cut);
+  for (std::size_t k = 0; k < surface.pieces.size(); ++k) {
+    std::array corners{surface.corner(k, 0), surface.corner(k, 1), surface.corner(k, 2)};
+    const glm::dvec3& normal = model.geometry.normals[surface.pieces[k].facet];
+    sheets.add(corners, normal);
+    std::swap(corners[1], corners[2]);
+    sheets.add(corners, -normal);
   }
-  if (chosen) {
-    for (const PieceIndex piece : revisions.pieces_of(second, *chosen)) {
-      const auto& [a, b, c] = split.pieces[piece].corners;
-      choice.add(std::array{split.vertices[a], split.vertices[b], split.vertices[c]}, normal_of(piece));
-    }
-  }
-  std::vector<ViewBody> bodies;
-  for (Sheets* sheets : {&changed, &other, &choice}) bodies.push_back(std::move(sheets->body));
-  return bodies;
+  return std::move(sheets.body);
 }
 
 const std::shared_ptr<const std::vector<ViewBody>>& LitBodies::of(const AppState& state, bool second,
@@ -160,24 +120,6 @@ RevisionHover revision_hover(const AppState& state, bool second, const PickedPoi
   hover.draft_deg = draft_angle_deg(model.geometry.normals[point.facet], direction);
   if (is_lit(state)) hover.change = revisions.result->change_at(second, point);
   return hover;
-}
-
-std::string change_title(const Revisions& revisions, std::size_t number) {
-  const RevisionChange& change = revisions.changes[number];
-  switch (change.of) {
-    case Of::place:
-      return change.kind == ChangeKind::changed ? "surface changed"
-                                                : fmt::format("surface {}", change_name(change.kind));
-    case Of::region: {
-      const ChangedRegion& region = revisions.comparison.surface.regions[change.number];
-      return fmt::format("{}, now {}", region_name(region.from), region_name(region.to));
-    }
-    case Of::undercut:
-      return fmt::format("undercut {}", change_name(change.kind));
-    case Of::action:
-      return fmt::format("side action {}", change_name(change.kind));
-  }
-  return {};
 }
 
 std::vector<std::string> revision_lines(const AppState& state) {

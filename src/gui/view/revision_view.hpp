@@ -36,18 +36,16 @@ struct FrameTie {
 [[nodiscard]] glm::dmat4 nearer(const Camera& camera);
 /// Whether what is lit is known and of the part that is seen.
 [[nodiscard]] bool is_lit(const AppState& state);
-/// The lit surface of A or B as bodies to be drawn over the picture, in this order: gone or new,
-/// another region, what is chosen. What the plane cuts away is left out.
-[[nodiscard]] std::vector<ViewBody> lit_bodies(const Revisions& revisions, bool second,
-                                               const std::optional<std::size_t>& chosen,
-                                               const std::optional<CutPlane>& cut);
+
+/// A surface of the part as a body to be drawn over the picture, with both its sides: what faces away shines
+/// through the part.
+[[nodiscard]] ViewBody lit_body(const PartModel& model, const SplitMesh& surface, Colour colour,
+                                const std::optional<CutPlane>& cut);
 
 /// What is under the cursor there.
 [[nodiscard]] RevisionHover revision_hover(const AppState& state, bool second, const PickedPoint& point);
 /// What is said of it; nothing where nothing changed.
 [[nodiscard]] std::vector<std::string> revision_lines(const AppState& state);
-/// "new surface", "core, now undercut", "undercut grown", "side action gone".
-[[nodiscard]] std::string change_title(const Revisions& revisions, std::size_t change);
 
 /// What a picture of a change is to show, in the unit frame of the window's part; and from where most of it
 /// is seen.
