@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -60,6 +61,14 @@ std::string lower_letters(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return lower;
+}
+
+bool has_words(std::string_view text, std::string_view words) {
+  const std::string lower = lower_letters(text);
+  std::istringstream each(lower_letters(words));
+  for (std::string word; each >> word;)
+    if (lower.find(word) == std::string::npos) return false;
+  return true;
 }
 
 bool is_command_letter(char32_t letter) {

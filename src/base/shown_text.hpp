@@ -14,6 +14,8 @@ namespace moldlight {
 [[nodiscard]] std::u32string letters_of(std::string_view utf8);
 /// With small letters for A to Z.
 [[nodiscard]] std::string lower_letters(std::string_view text);
+/// Whether all words of `words` stand in the text; small letters are as good as capitals, from A to Z.
+[[nodiscard]] bool has_words(std::string_view text, std::string_view words);
 [[nodiscard]] std::string utf8_of(std::u32string_view letters);
 
 /// A letter that terminals, tables and pages obey rather than show: control characters (C0, DEL and C1),

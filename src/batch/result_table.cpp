@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -69,16 +68,13 @@ std::vector<RowColumn> used_columns(std::span<const PartResult> rows) {
 }
 
 std::vector<std::size_t> ordered_rows(std::span<const PartResult> results, const RowOrder& order) {
-  std::vector<std::string> words;
-  std::istringstream text(lower_letters(order.filter));
-  for (std::string word; text >> word;) words.push_back(word);
   std::vector<std::size_t> rows;
   for (std::size_t k = 0; k < results.size(); ++k) {
     const PartResult& row = results[k];
-    const std::string all = lower_letters(fmt::format("{} {} {} {} {}", row.path, row.settings,
-                                                      state_name(row.state), row.reason, row.sentence));
-    const auto is_in = [&](const std::string& word) { return all.find(word) != std::string::npos; };
-    if (std::ranges::all_of(words, is_in)) rows.push_back(k);
+    if (has_words(fmt::format("{} {} {} {} {}", row.path, row.settings, state_name(row.state), row.reason,
+                              row.sentence),
+                  order.filter))
+      rows.push_back(k);
   }
   const RowColumn column = order.column;
   std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {

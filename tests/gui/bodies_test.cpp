@@ -7,6 +7,7 @@
 
 #include "base/stopwatch.hpp"
 #include "classify/part_model.hpp"
+#include "gui/panels/step_panels.hpp"
 #include "gui/store/part_notes.hpp"
 #include "gui/window_with_part.hpp"
 #include "support/boxes.hpp"
@@ -151,6 +152,49 @@ TEST_F(Bodies, AreHiddenAndIsolatedInThePicture) {
   click("Show all");
   EXPECT_TRUE(state().hidden_bodies.empty());
   EXPECT_EQ(area(), 84.0) << "only the picture was without them";
+}
+
+TEST_F(Bodies, HaveTheirVerdictsInATable) {
+  wait();
+  wait_for_verdicts();
+  click("All verdicts");
+  window.settle();
+  const auto above = [&](const char* first, const char* second) {
+    return window.control(first).min.y < window.control(second).min.y;
+  };
+  click("sort by facets");
+  click("sort by body");
+  EXPECT_TRUE(above("body row 1", "body row 3")) << "one, three";
+  EXPECT_TRUE(above("body row 3", "body row 2")) << "three, two";
+  click("sort by body");
+  EXPECT_TRUE(above("body row 2", "body row 1")) << "the other way round";
+  click("body row 2");
+  EXPECT_EQ(state().body, 1U) << "it is looked at";
+  click("close bodies");
+  EXPECT_FALSE(window.app().controls().contains("body row 1"));
+}
+
+TEST_F(Bodies, AreSortedAndFilteredByTheirVerdicts) {
+  wait();
+  BodiesState bodies = state().bodies;
+  const auto verdict = [](VerdictState is, double undercut, const char* sentence) {
+    Verdict made;
+    made.state = is;
+    made.undercut_area = undercut;
+    made.sentence = sentence;
+    return made;
+  };
+  bodies.verdicts = {verdict(VerdictState::side_actions, 2.0, "1 slide releases it."), std::nullopt,
+                     verdict(VerdictState::not_releasable, 1.0, "Not releasable.")};
+  using By = BodyOrder::By;
+  using Rows = std::vector<std::size_t>;
+  EXPECT_EQ(sorted_bodies(bodies, {}), (Rows{0, 2, 1})) << "what is not known comes last";
+  EXPECT_EQ(sorted_bodies(bodies, {.descending = false}), (Rows{2, 0, 1}));
+  EXPECT_EQ(sorted_bodies(bodies, {.by = By::verdict}), (Rows{2, 0, 1})) << "the worst first";
+  EXPECT_EQ(sorted_bodies(bodies, {.by = By::name, .descending = false}), (Rows{0, 2, 1}));
+  EXPECT_EQ(sorted_bodies(bodies, {.words = "RELEAS"}), (Rows{0, 2}));
+  EXPECT_EQ(sorted_bodies(bodies, {.words = "slide one"}), (Rows{0}));
+  EXPECT_TRUE(sorted_bodies(bodies, {.words = "four"}).empty());
 }
 
 TEST_F(Bodies, OfOneFileAreNotLookedForInAnother) {

@@ -121,6 +121,8 @@ Row list_row(const Ui& ui, const RowSpec& spec) {
   Row row{.box = {start, start + glm::vec2(width, height)}};
   row.clicked = ImGui::InvisibleButton(spec.id, ImVec2(width - ui.px(spec.beside), height));
   ui.memory->controls[spec.id] = item_box();
+  row.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+                ImGui::IsMouseHoveringRect(row.box.min, row.box.max);
   ImDrawList& list = window_list();
   if (spec.chosen || ImGui::IsItemHovered())
     fill(list, row.box, spec.chosen ? ui.colours->field_active : ui.colours->field, ui.px(6));

@@ -88,7 +88,7 @@ struct RowSpec {
 };
 struct Row {
   ScreenBox box;
-  bool clicked = false;
+  bool clicked = false, hovered = false;  // by the mouse, also on what is beside
 };
 Row list_row(const Ui& ui, const RowSpec& spec);
 

@@ -60,8 +60,8 @@ void draw_direction_fields(const PanelContext& context);
 /// The ball with all that is on it, as an item of the window that is open; `size` in pixels.
 void draw_ball(const PanelContext& context, BallDrag& drag, float size);
 /// What the file has, and what is asked of its facets: into the panel that is open.
-/// `bodies`: small pictures of those of the file.
-void draw_part_controls(const PanelContext& context, RowCursor& cursor, const PictureOf& bodies);
+class BodiesPanel;
+void draw_part_controls(const PanelContext& context, BodiesPanel& bodies, const PictureOf& pictures);
 void draw_look_panel(const PanelContext& context);
 /// The colours of the draft angles with their limits.
 void draw_draft_key(const PanelContext& context);

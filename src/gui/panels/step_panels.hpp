@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/draw/sorted_table.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/panels/table_bar.hpp"
 #include "sweep/direction_figures.hpp"
@@ -38,9 +39,34 @@ class SweepPanel {
 
   std::shared_ptr<const SweepResult> result_;  // of the rows; kept, so that no later one has its address
   std::shared_ptr<const SweepResult> seen_;    // the last one
-  std::vector<std::size_t> rows_;              // candidates in the order of the table
-  RowCursor cursor_;                           // its row is a place among rows_
+  SortedTable table_{"#", false};              // of candidates
   enum class Below : std::uint8_t { nothing, table, options } below_ = Below::nothing;
+};
+
+/// What the table of bodies is sorted by, and the words that it is filtered by.
+struct BodyOrder {
+  enum class By : std::uint8_t { name, verdict, undercut, unreleased, facets } by = By::undercut;
+  bool descending = true;
+  std::string words = {};
+};
+/// Numbers of the bodies that pass, in order; those without a verdict come last.
+[[nodiscard]] std::vector<std::size_t> sorted_bodies(const BodiesState& bodies, const BodyOrder& order);
+
+/// The bodies of the file: in the step's panel a tree; along the bottom, where it is asked for, the verdict
+/// on each as a table.
+class BodiesPanel {
+ public:
+  /// `pictures`: of each body.
+  void draw(const PanelContext& context, const PictureOf& pictures);
+  void draw_below(const PanelContext& context, const PictureOf& pictures);
+
+ private:
+  void draw_row(const PanelContext& context, const PictureOf& pictures, std::size_t place);
+
+  RowCursor tree_;
+  bool table_shown_ = false;
+  SortedTable table_{"undercut", true};
+  std::ptrdiff_t known_ = 0;  // verdicts, by which the rows are in order
 };
 
 /// The draft: how much surface has how much of it, and the walls that have too little, with what turning
@@ -122,10 +148,10 @@ class StepPanels {
  public:
   void draw(const PanelContext& context, const StepPictures& pictures);
   /// What the step has along the bottom.
-  void draw_below(const PanelContext& context, std::span<const unsigned> candidates);
+  void draw_below(const PanelContext& context, const StepPictures& pictures);
   void give_up_drag() { ball.active = false; }
 
-  RowCursor bodies;
+  BodiesPanel bodies;
   BallDrag ball;
   SweepPanel sweep;
   TableBar actions, line, mold;

@@ -183,8 +183,9 @@ void StepPanels::draw(const PanelContext& context, const StepPictures& pictures)
   context.layout.end();
 }
 
-void StepPanels::draw_below(const PanelContext& context, std::span<const unsigned> candidates) {
-  if (is_at(context.state, Step::direction)) sweep.draw_below(context, candidates);
+void StepPanels::draw_below(const PanelContext& context, const StepPictures& pictures) {
+  if (is_at(context.state, Step::part)) bodies.draw_below(context, pictures.bodies);
+  if (is_at(context.state, Step::direction)) sweep.draw_below(context, pictures.candidates);
 }
 
 }  // namespace moldlight::gui

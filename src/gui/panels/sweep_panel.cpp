@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <glm/geometric.hpp>
-#include <imgui_internal.h>
 
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
@@ -22,13 +21,14 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_direction_row = 26.0F, k_heading = 20.0F;  // layout units
+constexpr float k_direction_row = 26.0F;                     // layout units
 constexpr float k_tip_width = 154.0F, k_tip_height = 96.0F;  // of a direction's tooltip
 /// Share of the window's height that the table takes.
 constexpr float k_sweep_share = 0.25F;
 /// Columns before those of figures: rank, direction. And the one after them, why.
 constexpr std::size_t k_before_figures = 2;
-constexpr float k_rank_width = 30.0F, k_direction_width = 128.0F, k_least_why = 80.0F;  // layout units
+constexpr float k_rank_width = 38.0F, k_direction_width = 136.0F, k_least_why = 80.0F;  // layout units
+constexpr float k_column_gap = 8.0F, k_compare_room = k_row_height + 8.0F;
 
 std::string time_text(double seconds) {
   if (seconds < 10.0) return fmt::format("{:.1f} s left", seconds);
@@ -96,70 +96,37 @@ float width_of(FigureKind kind) {
   return kind == FigureKind::error || kind == FigureKind::gap ? 50.0F : 44.0F;
 }
 
+/// With room for the mark of the column that is sorted by; layout units.
 float figure_width(const Ui& ui, const DirectionFigure& figure) {
-  // With room for the mark of the column that is sorted by.
-  return std::max(ui.px(width_of(figure.kind)), text_size(ui.fonts.small, figure.label).x + ui.px(8));
+  const float heading = text_size(ui.fonts.small, std::string(figure.label) + " ↓").x / ui.scale;
+  return std::max(width_of(figure.kind), heading) + k_column_gap;
 }
 
 /// Those that the table has room for.
 std::vector<const DirectionFigure*> fitting_columns(const Ui& ui, const SweepResult& result) {
   std::vector<const DirectionFigure*> figures = figure_columns(result);
-  const float gap = ui.px(8);
-  float needed = ui.px(k_rank_width + k_direction_width + k_least_why) + 3.0F * gap;
-  for (const DirectionFigure* figure : figures) needed += figure_width(ui, *figure) + gap;
-  if (needed > room_left()) keep_brief(figures);
+  float needed = k_rank_width + k_direction_width + k_least_why + k_compare_room;
+  for (const DirectionFigure* figure : figures) needed += figure_width(ui, *figure);
+  if (ui.px(needed) > room_left()) keep_brief(figures);
   return figures;
 }
 
-/// Sorts by the present column, or the other way round where the table is sorted by it.
-void turn_sorting(bool sorted) {
-  const int column = ImGui::TableGetColumnIndex();
-  const ImGuiTableSortSpecs* const sorting = ImGui::TableGetSortSpecs();
-  const bool rises = sorted && sorting->Specs->SortDirection == ImGuiSortDirection_Ascending;
-  ImGui::TableSetColumnSortDirection(
-      column, rises ? ImGuiSortDirection_Descending : ImGuiSortDirection_Ascending, false);
-}
-
-void draw_headings(const Ui& ui, const std::vector<const DirectionFigure*>& figures) {
-  struct Heading {
-    std::string_view name, help;
-    float width;
-    ImGuiTableColumnFlags flags;
-    bool is_figure = false;
-  };
-  constexpr ImGuiTableColumnFlags k_fixed = ImGuiTableColumnFlags_WidthFixed,
-                                  k_not = ImGuiTableColumnFlags_NoSort;
-  std::vector<Heading> headings = {{"#", "Rank; directions with the same letter tie within the uncertainty.",
-                                    ui.px(k_rank_width), k_fixed | ImGuiTableColumnFlags_DefaultSort},
-                                   {"direction", "", ui.px(k_direction_width), k_fixed | k_not}};
+std::vector<SortedColumn> headings_of(const Ui& ui, const std::vector<const DirectionFigure*>& figures) {
+  std::vector<SortedColumn> headings = {
+      {.name = "#",
+       .help = "Rank; directions with the same letter tie within the uncertainty.",
+       .figure = false,
+       .most_first = false,
+       .width = k_rank_width},
+      {.name = "direction", .figure = false, .width = k_direction_width, .sorts = false}};
   for (const DirectionFigure* figure : figures)
-    headings.push_back({figure->label, figure->help, figure_width(ui, *figure), k_fixed, true});
-  headings.push_back({"why", "", 0.0F, ImGuiTableColumnFlags_WidthStretch | k_not});
-  ImGui::TableSetupScrollFreeze(0, 1);
-  for (const Heading& heading : headings)
-    ImGui::TableSetupColumn(heading.name.data(), heading.flags, heading.width);
-  const FontScope small(ui.fonts.small);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0F, 0.0F));
-  ImGui::TableNextRow(ImGuiTableRowFlags_Headers, ui.px(k_heading));
-  for (const Heading& heading : headings) {
-    ImGui::TableNextColumn();
-    const bool sorted = (ImGui::TableGetColumnFlags() & ImGuiTableColumnFlags_IsSorted) != 0;
-    const glm::vec2 cell = cursor_at();
-    const float room = room_left() - (sorted ? std::round(0.65F * ui.fonts.small.size) : 0.0F);
-    // ImGui would set the text of a column of figures to the left.
-    ImGui::TableHeader(fmt::format("##{}", heading.name).c_str());
-    const float inset = heading.is_figure ? room - text_size(ui.fonts.small, heading.name).x : 0.0F;
-    draw_text({ui.fonts.small, sorted || ImGui::IsItemHovered() ? ui.colours->text : ui.colours->muted},
-              cell + glm::vec2(inset, ui.px(3)), heading.name);
-    const std::string name = fmt::format("sort by {}", heading.name);
-    const ScreenBox box = item_box();
-    ui.memory->controls[name] = box;
-    const bool sorts = (heading.flags & k_not) == 0;
-    if (sorts && has_keyboard(ui, name, box) && ui.memory->keyboard.takes(ControlKey::press))
-      turn_sorting(sorted);
-    if (!heading.help.empty()) tooltip(ui, {}, heading.help);
-  }
-  ImGui::PopStyleVar();
+    headings.push_back({.name = std::string(figure->label),
+                        .help = figure->help,
+                        .most_first = false,
+                        .width = figure_width(ui, *figure)});
+  headings.push_back({.name = "why", .figure = false, .sorts = false});
+  headings.push_back({.name = "", .width = k_compare_room - 12.0F, .sorts = false});
+  return headings;
 }
 
 }  // namespace
@@ -244,67 +211,38 @@ std::vector<std::size_t> sorted_candidates(const SweepResult& result, const Dire
 void SweepPanel::draw_table(const PanelContext& context, std::span<const unsigned> pictures) {
   const Ui& ui = context.ui;
   const std::shared_ptr<const SweepResult>& result = context.state.sweep.result;
-  const bool fresh = result_ != result;
-  const std::size_t count = result->candidates.size();
-  const float room = k_sweep_share * screen_size().y;
-  const float fits = std::max(std::floor(room / ui.px(k_direction_row)), 2.0F),
-              all = static_cast<float>(count);
+  if (std::exchange(result_, result) != result) table_.forget();
   const Figures figures = fitting_columns(ui, *result);
-  constexpr ImGuiTableFlags k_flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
-                                      ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_NoPadOuterX;
-  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(ui.px(4), 0.0F));
-  ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, 0U);
-  // ImGui keeps the widths with which a table began.
-  ImGui::PushID(static_cast<int>(ui.px(k_direction_width)));
-  if (ImGui::BeginTable("directions", static_cast<int>(k_before_figures + figures.size()) + 1, k_flags,
-                        ImVec2(0.0F, ui.px(k_heading) + std::min(fits, all) * ui.px(k_direction_row)))) {
-    if (fresh) ImGui::SetScrollY(0.0F);
-    draw_headings(ui, figures);
-    ImGuiTableSortSpecs* sorting = ImGui::TableGetSortSpecs();
-    if (sorting->SpecsDirty || fresh) {
-      result_ = result;
-      const auto column = static_cast<std::size_t>(sorting->Specs->ColumnIndex);
-      rows_ =
-          sorted_candidates(*result, column < k_before_figures ? nullptr : figures[column - k_before_figures],
-                            sorting->Specs->SortDirection == ImGuiSortDirection_Descending);
-      sorting->SpecsDirty = false;
-    }
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(count), ui.px(k_direction_row));
-    cursor_.scroll(ui.px(k_direction_row), std::min(fits, all) * ui.px(k_direction_row));
-    while (clipper.Step()) {
-      for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k)
-        draw_row(context, figures, static_cast<std::size_t>(k), pictures);
-    }
-    ImGui::EndTable();
-    if (const auto pressed = cursor_.follow(ui, "table", static_cast<std::size_t>(fits), count))
-      context.edits.ask(&Commands::fly_to_direction, result->candidates[rows_[*pressed]].candidate.direction);
+  if (table_.draw_headings(ui, headings_of(ui, figures))) {
+    const auto by = std::ranges::find(figures, table_.by(), &DirectionFigure::label);
+    table_.rows = sorted_candidates(*result, by == figures.end() ? nullptr : *by, table_.descending());
   }
-  ImGui::PopID();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
+  const auto pressed =
+      draw_list(ui,
+                {.id = "table",
+                 .count = result->candidates.size(),
+                 .row_height = k_direction_row,
+                 .share = k_sweep_share},
+                table_.cursor, [&](std::size_t k) { draw_row(context, figures, k, pictures); });
+  if (pressed)
+    context.edits.ask(&Commands::fly_to_direction,
+                      result->candidates[table_.rows[*pressed]].candidate.direction);
   draw_footer(context);
 }
 
 void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, std::size_t place,
                           std::span<const unsigned> pictures) {
   const Ui& ui = context.ui;
-  const std::size_t index = rows_[place];
+  const std::size_t index = table_.rows[place];
   const SweepCandidate& candidate = result_->candidates[index];
   const glm::dvec3& direction = candidate.candidate.direction;
   const bool here = std::abs(glm::dot(context.state.settings.direction.unit(), direction)) > 1.0 - 1e-10;
-  ImGui::TableNextRow(ImGuiTableRowFlags_None, ui.px(k_direction_row));
-  ImGui::TableNextColumn();
-  ImGui::PushID(static_cast<int>(index));
-  const bool clicked = ImGui::Selectable(
-      "##row", here, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
-      ImVec2(0.0F, ui.px(k_direction_row)));
-  const ScreenBox box = item_box();
-  if (cursor_.is_at(place))
-    window_list().AddRect(box.min, box.max, ui.colours->accent, ui.px(4), 0, 1.5F * ui.scale);
-  ui.memory->controls[fmt::format("direction {}", candidate.rank)] = box;
-  const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
-                                            ImGuiHoveredFlags_AllowWhenOverlapped);
+  const std::string id = fmt::format("direction {}", candidate.rank);
+  const Row row = list_row(ui, {.id = id.c_str(),
+                                .height = k_direction_row,
+                                .beside = k_compare_room,
+                                .chosen = here,
+                                .marked = table_.cursor.is_at(place)});
   std::string tip = reasons_text(candidate.candidate, candidate.candidate.sources.size());
   if (candidate.pareto)
     tip += "\nNo other direction listed is better in undercut area, number of undercuts and depth at once.";
@@ -319,37 +257,29 @@ void SweepPanel::draw_row(const PanelContext& context, const Figures& figures, s
     draw_picture(window_list(), index < pictures.size() ? pictures[index] : 0, {at, at + pixels}, ui.px(4));
     end_tooltip();
   }
-  ImDrawList& list = window_list();
-
-  const auto cell = [&](const SizedFont& font, ImU32 colour, const std::string& text, bool to_the_right) {
-    const float inset = to_the_right ? room_left() - text_size(font, text).x : 0.0F;
-    draw_text(list, {font, colour},
-              {ImGui::GetCursorScreenPos().x + inset, box.centre().y - 0.5F * font.size}, text);
+  const auto cell = [&](std::size_t column, const SizedFont& font, ImU32 colour, std::string_view text) {
+    table_.draw_cell(ui, row.box, column, {font, colour}, text);
   };
   const ImU32 normal = ui.colours->text, quiet = ui.colours->muted;
-  ImGui::SameLine(0.0F, 0.0F);
-  cell(ui.fonts.strong, normal, fmt::format("{} {}", candidate.rank, candidate.tie), false);
-  ImGui::TableNextColumn();
-  cell(ui.fonts.body, normal, fitted(ui.fonts.body, with_minus(direction_words(direction)), room_left()),
-       false);
-  for (const DirectionFigure* figure : figures) {
-    ImGui::TableNextColumn();
-    const SizedFont& font = figure->key == "undercut" ? ui.fonts.strong : ui.fonts.body;
-    const std::string text = grouped(with_minus(figure_text(*figure, *context.state.model, candidate)));
-    cell(font, figure->kind == FigureKind::error ? quiet : normal,
-         figure->kind == FigureKind::actions ? fitted(font, text, room_left()) : text, true);
+  cell(0, ui.fonts.strong, normal, fmt::format("{} {}", candidate.rank, candidate.tie));
+  cell(1, ui.fonts.body, normal, with_minus(direction_words(direction)));
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    const DirectionFigure& figure = *figures[k];
+    const SizedFont& font = figure.key == "undercut" ? ui.fonts.strong : ui.fonts.body;
+    std::string text = grouped(with_minus(figure_text(figure, *context.state.model, candidate)));
+    if (figure.kind == FigureKind::actions) text = fitted(font, text, ui.px(width_of(figure.kind)));
+    cell(k_before_figures + k, font, figure.kind == FigureKind::error ? quiet : normal, text);
   }
   auto& compared = context.edits.sweep_choices.compared;
-  const bool chosen = compared == index, comparable = hovered || chosen;
-  ImGui::TableNextColumn();
-  const float room = room_left() - ui.px(comparable ? k_row_height + 6 : 0.0F);
-  cell(ui.fonts.small, quiet, fitted(ui.fonts.small, reasons_text(candidate.candidate), room), false);
-  if (comparable && compare_button(ui, {box.max.x - ui.px(16), box.centre().y}, chosen)) {
+  const bool chosen = compared == index;
+  cell(k_before_figures + figures.size(), ui.fonts.small, quiet, reasons_text(candidate.candidate));
+  if ((row.hovered || chosen) &&
+      compare_button(ui, {row.box.max.x - ui.px(16), row.box.centre().y}, chosen)) {
     compared = chosen ? std::nullopt : std::optional(index);
-  } else if (clicked) {
+  } else if (row.clicked) {
     context.edits.ask(&Commands::fly_to_direction, direction);
   }
-  ImGui::PopID();
+  put_cursor({row.box.min.x, row.box.max.y});
 }
 
 void SweepPanel::draw_footer(const PanelContext& context) {

@@ -49,11 +49,12 @@ void Workspace::draw(const PanelContext& context, const Textures& textures) {
   if (!dialogs.panels_hidden) {
     draw_top_bar(context);
     if (context.state.model) {
-      steps_.draw(context, {textures.candidates, textures.bodies});
+      const StepPictures pictures{textures.candidates, textures.bodies};
+      steps_.draw(context, pictures);
       draw_regions_panel(context);
       draw_look_panel(context);
       draw_maps_drawer(context, textures.maps);
-      steps_.draw_below(context, textures.candidates);
+      steps_.draw_below(context, pictures);
       draw_revisions_bar(context, revisions_);
       draw_large_ball(context, large_ball_);
       draw_comparison(context);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/draw/sorted_table.hpp"
 #include "gui/jobs/batch_table.hpp"
 #include "gui/panels/step_panels.hpp"
 
@@ -25,17 +26,11 @@ class BatchPanel {
   void draw(const PanelContext& context, const BatchPicture& picture);
 
  private:
-  void choose_columns(const Ui& ui);
-  void draw_headings(const PanelContext& context);
   void draw_row(const PanelContext& context, std::size_t index, const BatchPicture& picture);
-  [[nodiscard]] float right_of(const Ui& ui, std::size_t column, float width) const;
 
-  std::shared_ptr<const BatchTable> table_;  // of the rows; kept, so that no later one has its address
-  batch::RowOrder order_;
+  std::shared_ptr<const BatchTable> of_;  // of the rows; kept, so that no later one has its address
+  SortedTable table_{{}, true};
   std::vector<batch::RowColumn> columns_;
-  std::vector<std::size_t> rows_;  // in the order of the table
-  std::array<char, 128> filter_{};
-  RowCursor cursor_;
   bool open_ = false;
 };
 

@@ -36,5 +36,12 @@ TEST(ShownText, IsCutBetweenLetters) {
   EXPECT_EQ(shown_text("ab\x1B", 7), "ab...") << "an escape is whole, too";
 }
 
+TEST(ShownText, HasWordsInAnyOrderAndSize) {
+  EXPECT_TRUE(has_words("Cover plate, 2 slides", "SLIDES cover"));
+  EXPECT_TRUE(has_words("Cover", ""));
+  EXPECT_TRUE(has_words("Cover", "  "));
+  EXPECT_FALSE(has_words("Cover plate", "cover lid"));
+}
+
 }  // namespace
 }  // namespace moldlight
