@@ -76,6 +76,7 @@ void App::frame(const FrameInput& input) {
   state_.can_redo = history_.can_redo();
 
   Edits edits(state_);
+  edits.lit.reset();  // until the mouse is found on its line
   take_dropped(input.dropped, edits);
   for (const KeyPress& press : input.played.keys) {
     if (leaves(press) && close_innermost(typing, edits)) continue;
@@ -194,6 +195,8 @@ void App::apply(const Edits& edits) {
   turn_direction(held);
   direction_moves_ = turning && state_.settings.direction != former.settings.direction;
   Commands commands{*this};
+  // Another step begins with the whole part, where one before has flown to a detail of it.
+  if (state_.step != former.step && fitted_ && !fitted_points_.empty()) commands.fit_view();
   for (const auto& command : edits.commands) {
     command(commands);
     settle_frames_ = k_settle_frames;
@@ -236,7 +239,9 @@ void App::plan_next_frame() {
   if (settle_frames_ > 0 || fit_frames_ > 0 || flight_.flying() || turn_.flying() || candidates_missing_ ||
       opening_.moving(now_s_) || (presentation_ && !state_.presented->paused) || glow_.at(now_s_) > 0.0)
     next_frame_s_ = now_s_;
-  if (state_.window.motion && !body_places(state_, open_now(), 0.0).empty())
+  // The chosen action's body moves out and back; in an opened mold nothing goes on moving.
+  const bool loops = chosen_action(state_) != nullptr && open_now() == 0.0 && !shown_pieces(state_);
+  if (state_.window.motion && loops && !body_places(state_, 0.0, 0.0).empty())
     next_frame_s_ = std::min(next_frame_s_, now_s_ + Loop::k_frame_s);
 }
 

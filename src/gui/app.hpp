@@ -142,6 +142,9 @@ class App {
     history_.settle(state_.settings);
   }
   [[nodiscard]] SceneSettings scene_settings() const;
+  /// What is lit on the part in this frame; nothing where another picture is shown.
+  [[nodiscard]] std::optional<Subject> lit_now() const;
+  void light_subject();
   /// Hands what the picture's maps are worth to the panels of the next frame.
   void show_comparison();
   void plan_next_frame();
@@ -230,7 +233,10 @@ class App {
   std::unique_ptr<Scene> scene_;
   std::unique_ptr<RevisionPicture> revision_;  // of the one that is prepared
   LitBodies lit_;                              // of the part
-  std::optional<std::string> compared_next_;   // with the part that is being loaded
+  /// Of a line of the verdict's card, and what is drawn of it.
+  std::optional<std::pair<Subject, std::shared_ptr<const SplitMesh>>> lit_subject_;
+  std::shared_ptr<const std::vector<ViewBody>> sheets_;
+  std::optional<std::string> compared_next_;  // with the part that is being loaded
   /// What a comparison hides.
   struct Before {
     Camera camera;

@@ -50,6 +50,7 @@ Presentation App::made_presentation() const {
   };
   const glm::dquat from_above = standard_orientation(StandardView::isometric);
   const glm::dvec3& direction = state_.settings.direction.unit();
+  glm::dquat from_undercuts = from_above;
   std::vector<Act> acts;
   acts.push_back(
       {.camera = seen(from_above, closed),
@@ -57,24 +58,25 @@ Presentation App::made_presentation() const {
                               with_minus(direction_words(direction)))});
   if (figures.split && figures.undercuts && figures.undercuts->count > 0) {
     const UndercutTotals& totals = *figures.undercuts;
+    from_undercuts = revealing_orientation(*state_.model, std::span(&figures.split, 1), direction);
     acts.push_back(
-        {.camera =
-             seen(revealing_orientation(*state_.model, std::span(&figures.split, 1), direction), closed),
+        {.camera = seen(from_undercuts, closed),
          .caption = fmt::format("{}, {} {}", plural(totals.count, "undercut"),
                                 grouped(rounded_area(totals.area, state_.model->geometry.total_area)),
                                 powered_unit(state_.model->part, 2))});
   }
   const Camera whole = seen(from_above, opened);
   const OpenedMold end = opened_mold(plan, 1.0);
-  if (const double slides = slides_end(plan); slides > 0.0)
-    acts.push_back({.camera = whole,
+  const double slides = slides_end(plan);
+  if (slides > 0.0)
+    acts.push_back({.camera = seen(from_undercuts, points_shown(slides, false)),
                     .open = slides,
-                    .caption = "Slides free what they form: " + actions_summary(state_)});
+                    .caption = "The slides move out first: " + actions_summary(state_)});
   acts.push_back({.length_s = 5.0, .camera = whole, .open = 1.0, .caption = "The halves open"});
   if (end.lifters > 0.0) acts.back().caption += ", and the part is ejected";
   if (state_.verdict) acts.push_back({.camera = whole, .open = 1.0, .caption = state_.verdict->sentence});
   for (Act& act : acts) {
-    for (const glm::vec3& point : points_shown(act.open, act.open > 0.0))
+    for (const glm::vec3& point : points_shown(act.open, act.open > slides))
       act.floor = std::min(act.floor, static_cast<double>(point.z));
     act.floor -= k_over_floor;
   }

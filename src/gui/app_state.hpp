@@ -20,6 +20,7 @@
 #include "render/view_geometry.hpp"
 #include "report/report.hpp"
 #include "study/study.hpp"
+#include "study/verdict_surface.hpp"
 #include "sweep/direction_cards.hpp"
 #include "sweep/sweep_map.hpp"
 
@@ -241,6 +242,7 @@ struct Editable {
   std::optional<std::size_t> body;      // of the whole file, that is looked at
   std::set<std::size_t> hidden_bodies;  // of the whole file, in the picture
   std::optional<Measuring> measuring;   // the tool, while it is on
+  std::optional<Subject> lit;           // on the part, while the mouse is on its line
   // Of the regions of the maps on the left from exact ones on the right: its place between the panels, [0,
   // 1].
   std::optional<double> divider;

@@ -96,6 +96,8 @@ bool App::steel_wanted() const {
   const LookSettings& look = state_.settings.look;
   if (!state_.model || state_.window.halves == HalvesLook::surface || split_view() || shown_pieces(state_))
     return false;
+  // In a presentation the slides are seen to move: the halves would hide them.
+  if (presentation_) return presented_.open > slides_end(state_.actions.plan.get());
   return look.open_mold > 0.0 || open_now() > 0.0 ||
          (is_at(state_, Step::mold) && look.section != Section::off);
 }
@@ -180,9 +182,12 @@ SceneSettings App::scene_settings() const {
     shown.maps_left_of_px = divider_place(*state_.divider, layout_.free_area(state_.dialogs.panels_hidden));
   ViewMarks& marks = scene.view.marks;
   marks.undercut_glow = glow_.at(now_s_);
-  scene.bodies = revision_ ? lit_places(state_, state_.camera)
-                           : body_places(state_, open_now(),
-                                         state_.window.motion ? action_loop_.at(now_s_) : k_resting_share);
+  marks.others_gray = lit_now().has_value();
+  if (marks.others_gray && lit_now()->of == Subject::Of::region) marks.lit = lit_now()->region;
+  const double share = state_.window.motion ? action_loop_.at(now_s_) : k_resting_share;
+  scene.bodies = sheets_     ? std::vector{nearer(state_.camera)}
+                 : revision_ ? lit_places(state_, state_.camera)
+                             : body_places(state_, open_now(), share);
   if (state_.face) marks.chosen = state_.face->number;
   if (state_.hover) {
     marks.hovered = state_.faces->of_facet[state_.hover->point.facet];
@@ -198,7 +203,10 @@ bool App::draw(const ViewTarget& target) {
                          : pictures_->draw_beside(*split, scene_settings());
   }
   if (scene_) {
-    scene_->take_bodies(revision_ ? lit_.of(state_, false, state_.cut) : shown_bodies(state_));
+    light_subject();
+    scene_->take_bodies(revision_ ? lit_.of(state_, false, state_.cut)
+                        : sheets_ ? sheets_
+                                  : shown_bodies(state_));
     scene_->take_mold({.line = line_shown() ? state_.mold.line : nullptr,
                        .loop = state_.mold_choices.loop,
                        .solids = state_.mold.solids,
@@ -216,6 +224,31 @@ bool App::draw(const ViewTarget& target) {
   add_to_film(target);
   if (refining) next_frame_s_ = now_s_;
   return refining;
+}
+
+std::optional<Subject> App::lit_now() const {
+  return revision_ || presentation_ || open_now() > 0.0 ? std::nullopt : state_.lit;
+}
+
+void App::light_subject() {
+  const std::optional<Subject> wanted = lit_now();
+  const auto subject = wanted ? std::optional(std::pair(*wanted, state_.figures.split)) : std::nullopt;
+  if (subject == lit_subject_) return;
+  lit_subject_ = subject;
+  sheets_.reset();
+  std::vector<ViewSegment> edges;
+  if (wanted && wanted->of != Subject::Of::region) {
+    const PartModel& model = *state_.model;
+    const SubjectSurface lit =
+        surface_of(*wanted, model, state_.figures.split.get(), state_.actions.plan.get());
+    const auto at = [&](VertexIndex vertex) { return model.frame.to_unit(model.part.mesh.vertices[vertex]); };
+    for (const auto& [a, b] : lit.edges) edges.push_back({at(a), at(b)});
+    const bool fault = wanted->of >= Subject::Of::open_edges;
+    const Colour undercut = region_colour(Region::undercut, state_.settings.look.palette);
+    sheets_ = std::make_shared<const std::vector<ViewBody>>(
+        1, lit_body(model, lit.mesh, fault ? k_block_mark : undercut, state_.cut));
+  }
+  scene_->mark_edges(edges);
 }
 
 void App::show_comparison() {

@@ -55,6 +55,8 @@ struct Commands {
   void look_at_undercuts();
   /// Flies to the largest mark that counts as no undercut, and says why it is none.
   void look_at_speck();
+  /// Flies to what a line of the verdict's card speaks of; of faults to the first.
+  void look_at_subject(Subject subject);
   /// Flies to a body of the file; where one is molded, this one is from now on.
   void look_at_body(std::size_t body);
   /// Hides all others.

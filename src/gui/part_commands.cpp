@@ -106,6 +106,25 @@ void Commands::look_at_speck() {
   app.turn_camera(revealing_orientation(model, std::span(&split, 1), app.state_.settings.direction.unit()));
 }
 
+void Commands::look_at_subject(Subject subject) {
+  using Of = Subject::Of;
+  const auto& plan = app.state_.actions.plan;
+  if (subject.of == Of::undercuts) return look_at_undercuts();
+  if (subject.of == Of::tiny) return look_at_speck();
+  if (subject.of == Of::unreleased) {
+    const auto undercut = plan ? least_released(*plan) : std::nullopt;
+    if (undercut) look_at_undercut(*undercut);
+    app.state_.action_choices.chosen = undercut;
+    return;
+  }
+  SplitMesh lit = surface_of(subject, *app.state_.model, app.state_.figures.split.get(), plan.get()).mesh;
+  if (lit.pieces.empty()) return;
+  const FacetIndex first = lit.pieces.front().facet;
+  std::vector<glm::vec3> around;
+  if (subject.of != Of::region) around = surroundings(*app.state_.model, std::span(&first, 1));
+  app.look_at(std::move(lit), std::move(around));
+}
+
 void Commands::look_at_undercut(std::size_t undercut) {
   const auto& split = app.state_.figures.split;
   const auto& plan = app.state_.actions.plan;

@@ -5,7 +5,7 @@
 
 namespace moldlight {
 
-constexpr float k_veil = 0.22F;  // opacity
+constexpr float k_veil = 0.22F, k_others_gray = 0.72F;  // opacity
 constexpr glm::vec2 k_body_opacity(0.72F, 0.2F);
 
 void accumulate(ViewTools& tools, bool first) {
@@ -35,7 +35,7 @@ void present(ViewTools& tools, int samples, GLuint framebuffer) {
 void draw_marks(ViewTools& tools, const ViewMarks& marks, GLuint framebuffer) {
   const gl::Texture& faces = tools.mesh.faces.texels();
   const bool any_face = faces && (marks.hovered || marks.blocking || marks.chosen);
-  if (!any_face && marks.undercut_glow <= 0.0) return;
+  if (!any_face && marks.undercut_glow <= 0.0 && !marks.others_gray) return;
   gl::begin(tools.gl,
             {.framebuffer = framebuffer, .size = tools.targets.size, .blend = gl::Blend::over_keeping_alpha});
   const gl::Program& program =
@@ -43,6 +43,8 @@ void draw_marks(ViewTools& tools, const ViewMarks& marks, GLuint framebuffer) {
   program.set_texture("t_surface", 0, GL_TEXTURE_2D, tools.targets.surface);
   program.set_texture("t_accessible", 1, GL_TEXTURE_2D, tools.targets.accessible);
   program.set("u_glow", marks.undercut_glow);
+  program.set("u_gray", marks.others_gray ? k_others_gray : 0.0F);
+  program.set("u_lit", marks.lit ? facts(*marks.lit).accessible : ~0U);
   if (any_face) {
     const auto number = [](const std::optional<std::uint32_t>& face) { return face.value_or(~0U); };
     program.set_texture("t_faces", 2, GL_TEXTURE_BUFFER, faces);

@@ -102,6 +102,9 @@ struct ViewMarks {
   std::optional<std::uint32_t> blocking = {};  // what is in the hovered point's way
   std::optional<std::uint32_t> chosen = {};
   double undercut_glow = 0.0;  // [0, 1]: for a pulse when an undercut appears
+  // Something is lit: the rest of the part goes gray, all of it where no region is what is lit.
+  bool others_gray = false;
+  std::optional<Region> lit = {};
 
   bool operator==(const ViewMarks&) const = default;
 };

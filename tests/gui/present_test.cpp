@@ -40,7 +40,7 @@ TEST_F(Presenting, GoesFromTheDirectionToTheOpenedMold) {
   ASSERT_GE(said.size(), 4U);
   EXPECT_EQ(said[0], "cup opens along z");
   EXPECT_TRUE(said[1].find("undercut") != std::string::npos) << said[1];
-  EXPECT_TRUE(said[2].starts_with("Slides free what they form: ")) << said[2];
+  EXPECT_TRUE(said[2].starts_with("The slides move out first: ")) << said[2];
   EXPECT_TRUE(said[3].starts_with("The halves open")) << said[3];
   EXPECT_EQ(said.back(), state().verdict->sentence);
   EXPECT_EQ(state().camera, before) << "nothing is left of it";

@@ -133,6 +133,83 @@ TEST_F(Verdicts, OfferTheRepairAlsoWhereTheyAreDecided) {
   EXPECT_FALSE(window_.app().controls().contains("verdict repair"));
 }
 
+/// Pixels of a colour that only regions have, between the panels.
+std::size_t coloured_between_panels(const OffscreenWindow& window) {
+  const std::vector<std::uint8_t> pixels = window.pixels();
+  const glm::ivec2 size = window.size();
+  std::size_t count = 0;
+  for (int y = 60; y < size.y - 60; ++y) {
+    for (int x = 290; x < size.x - 290; ++x) {
+      const std::uint8_t* const at =
+          pixels.data() +
+          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x));
+      if (std::max({at[0], at[1], at[2]}) - std::min({at[0], at[1], at[2]}) > 90) ++count;
+    }
+  }
+  return count;
+}
+
+TEST_F(Verdicts, LightWhatALineSpeaksOf) {
+  using Of = Subject::Of;
+  open(moldlight::test::plate_with_side_pocket({}).mesh);
+  window_.settle();
+  const std::size_t all = coloured_between_panels(window_);
+  const auto point_at = [&](const char* control) {
+    window_.move_mouse(window_.control(control).centre());
+    window_.settle();
+  };
+  point_at("verdict");
+  EXPECT_EQ(window_.state().lit, (Subject{.of = Of::undercuts}));
+  const std::size_t undercuts = coloured_between_panels(window_);
+  EXPECT_GT(undercuts, 50U) << "also where the part hides it";
+  EXPECT_LT(undercuts, all / 4) << "all else is gray";
+  point_at("core");
+  EXPECT_EQ(window_.state().lit, (Subject{.of = Of::region, .region = Region::core}));
+  const std::size_t core = coloured_between_panels(window_);
+  EXPECT_GT(core, 1000U);
+  EXPECT_LT(core, all);
+  point_at("total");
+  window_.move_mouse({640, 50});
+  window_.settle();
+  EXPECT_FALSE(window_.state().lit) << "as long as the mouse is on the line";
+  EXPECT_NEAR(static_cast<double>(coloured_between_panels(window_)), static_cast<double>(all),
+              0.02 * static_cast<double>(all));
+  // A click on a region goes to where most of it is seen.
+  window_.press_key({.key = '3', .ctrl = true, .shift = true});
+  window_.frame();
+  window_.hold_modifiers(false, false, false);
+  window_.frames(3);
+  click("undercut");
+  EXPECT_GT(window_.state().camera.toward_viewer().x, 0.1);
+}
+
+TEST_F(Verdicts, LeadToWhatNothingReleases) {
+  open(moldlight::test::hollow_sphere({}).mesh);
+  window_.settle();
+  window_.move_mouse(window_.control("line unreleased").centre());
+  window_.settle();
+  EXPECT_EQ(window_.state().lit, (Subject{.of = Subject::Of::unreleased}));
+  EXPECT_GT(coloured_between_panels(window_), 200U) << "the void shines through";
+  click("line unreleased");
+  EXPECT_EQ(window_.state().step, Step::undercuts);
+  EXPECT_EQ(window_.state().action_choices.chosen, 0U);
+}
+
+TEST_F(Verdicts, LeadToTheFaultsOfTheMesh) {
+  TriangleMesh mesh = moldlight::test::plate_with_side_pocket({}).mesh;
+  mesh.facets.erase(mesh.facets.begin());
+  open(mesh);
+  window_.settle();
+  window_.move_mouse(window_.control("line open").centre());
+  window_.settle();
+  EXPECT_EQ(window_.state().lit, (Subject{.of = Subject::Of::open_edges}));
+  const Camera before = window_.state().camera;
+  click("line open");
+  window_.settle();
+  EXPECT_FALSE(window_.state().camera == before) << "it is looked at";
+  EXPECT_FALSE(window_.app().controls().contains("line turned")) << "no such fault";
+}
+
 class LongVerdicts : public Verdicts {
  protected:
   LongVerdicts() : Verdicts(100'000) {}

@@ -49,9 +49,17 @@ struct Line {
   bool pressed = false;  // with the keyboard
 };
 
+/// Lights what a line speaks of while the mouse or the keyboard is on it.
+void light(const PanelContext& context, const Pressable& line, const Subject& subject) {
+  if (line.hovered || line.focused) context.edits.lit = subject;
+}
+
+Pressable line_place(const Ui& ui, const char* id) {
+  return pressable(ui, id, {room_left(), ui.px(k_legend_row)});
+}
+
 /// Leaves a place in front for a mark.
-Line begin_line(const Ui& ui, const char* id, std::string_view name, ImU32 colour) {
-  const Pressable row = pressable(ui, id, {room_left(), ui.px(k_legend_row)});
+Line begin_line(const Ui& ui, const Pressable& row, std::string_view name, ImU32 colour) {
   const auto& [min, max] = row.box;
   ImDrawList& list = window_list();
   if (row.hovered) fill(list, {min, max}, ui.colours->field, ui.px(6));
@@ -64,7 +72,11 @@ void draw_region(const PanelContext& context, const Legend& legend, Region regio
   const Ui& ui = context.ui;
   const double area = legend.result.areas[region];
   const std::string name(region_name(region));
-  const Line line = begin_line(ui, name.c_str(), facts(region).title, ui.colours->text);
+  const Pressable row = line_place(ui, name.c_str());
+  const Subject subject{.region = region};
+  light(context, row, subject);
+  if (row.clicked && !row.pressed) context.edits.ask(&Commands::look_at_subject, subject);
+  const Line line = begin_line(ui, row, facts(region).title, ui.colours->text);
   draw_swatch(ui, region, context.state.settings.look, line.min + glm::vec2(ui.px(6), ui.px(6)));
   const ImU32 strong = faded(ui.colours->text, legend.alpha), quiet = faded(ui.colours->muted, legend.alpha);
   draw_text_to({ui.fonts.strong, strong}, line.right, line.top,
@@ -82,7 +94,7 @@ void draw_total(const PanelContext& context, const Legend& legend) {
   ImGui::Dummy(ImVec2(1.0F, ui.px(3)));
   window_list().AddLine(ImVec2(at.x, at.y + ui.px(1)), ImVec2(at.x + room_left(), at.y + ui.px(1)),
                         ui.colours->line);
-  const Line line = begin_line(ui, "total", "Total", ui.colours->muted);
+  const Line line = begin_line(ui, line_place(ui, "total"), "Total", ui.colours->muted);
   draw_text_to(ui.muted(), line.right, line.top, legend.unit);
   draw_text_to(ui.muted(), line.right - ui.px(60), line.top,
                grouped(legend.column.text(legend.result.total_area)));
@@ -100,7 +112,8 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   const bool in_doubt = error.find_first_of("123456789") != std::string::npos;
   const bool fine = shadow.agrees() && !(in_doubt && doubt.mesh > 0.0);
   const std::string_view name = in_doubt ? "Undercut ±" : shadow.agrees() ? "Check passed" : "Check failed";
-  const Line line = begin_line(ui, "trust", name, fine ? ui.colours->muted : ui.colours->warning);
+  const Line line =
+      begin_line(ui, line_place(ui, "trust"), name, fine ? ui.colours->muted : ui.colours->warning);
   draw_icon(window_list(), fine ? Icon::check : Icon::alert, line.min + glm::vec2(ui.px(12), ui.px(12)),
             ui.px(12), faded(fine ? ui.colours->text : ui.colours->warning, legend.alpha));
   if (in_doubt)
@@ -116,6 +129,57 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
     text += fmt::format("\nThe undercut of the readout is {} off the exact one.", figure(doubt.readout));
   tooltip(ui, "Accuracy of the figures", text);
   copy_menu(ui, "trust", real_text(visible), line.pressed);
+}
+
+/// What there is to see of a verdict beside its sentence: a line each, lit on the part while the mouse is on
+/// it.
+struct SubjectLine {
+  Subject::Of of;
+  const char* id;
+  std::string name, figure;
+  bool doubt = false;  // of the mesh
+};
+
+std::vector<SubjectLine> subject_lines(const AppState& state) {
+  using Of = Subject::Of;
+  std::vector<SubjectLine> lines;
+  const Verdict& verdict = *state.verdict;
+  const HealthReport& health = state.model->health;
+  const Classification& here = *state.figures.shown;
+  const auto area = [&](double value) { return grouped(rounded_area(value, here.total_area)); };
+  const auto count = [](std::size_t number) { return grouped(std::to_string(number)); };
+  if (state.actions.plan && !state.actions.plan->unreleased.empty())
+    lines.push_back({Of::unreleased, "line unreleased", "Not released", area(verdict.unreleased_area)});
+  if (verdict.specks > 0 && verdict.undercuts > 0)
+    lines.push_back(
+        {Of::tiny, "line tiny", fmt::format("{} tiny, ignored", verdict.specks), area(verdict.speck_area)});
+  if (health.open_edges > 0)
+    lines.push_back({Of::open_edges, "line open", "Open edges", count(health.open_edges), true});
+  if (health.inconsistent_edges > 0)
+    lines.push_back({Of::turned_edges, "line turned", "Facets face opposite ways",
+                     count(health.inconsistent_edges), true});
+  if (here.uncertainty.mesh > 0.0 && lines.empty())
+    lines.push_back({Of::crossings, "line crossings", "Facets cross", "", true});
+  return lines;
+}
+
+void draw_subjects(const PanelContext& context, float alpha) {
+  constexpr float k_subject_row = 20.0F;
+  const Ui& ui = context.ui;
+  if (!context.state.verdict) return;
+  const std::vector<SubjectLine> lines = subject_lines(context.state);
+  for (const SubjectLine& each : lines) {
+    const Pressable row = pressable(ui, each.id, {room_left(), ui.px(k_subject_row)});
+    light(context, row, {.of = each.of});
+    const ImU32 colour = faded(each.doubt ? ui.colours->warning : ui.colours->text, alpha);
+    const Line line = begin_line(ui, row, each.name, colour);
+    draw_text_to({ui.fonts.body, colour}, line.right, line.top, each.figure);
+    tooltip(ui, {}, "Lit on the part. Click to go there.");
+    if (!row.clicked) continue;
+    if (each.of == Subject::Of::unreleased) context.edits.enter(Step::undercuts);
+    context.edits.ask(&Commands::look_at_subject, Subject{.of = each.of});
+  }
+  if (!lines.empty()) ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
 }
 
 void show_undercuts(const PanelContext& context) {
@@ -263,6 +327,9 @@ void draw_verdict(const PanelContext& context) {
   ImDrawList& list = window_list();
   if (sentence.hovered && !verdict.good()) fill(list, {at, sentence.box.max}, ui.colours->field, ui.px(6));
   tooltip(ui, "Verdict", tooltip_text(verdict));
+  if (verdict.verdict && verdict.verdict->undercuts + verdict.verdict->specks > 0)
+    light(context, sentence,
+          {.of = verdict.verdict->undercuts > 0 ? Subject::Of::undercuts : Subject::Of::tiny});
   if (sentence.clicked) show_undercuts(context);
   const glm::vec2 middle = at + glm::vec2(ui.px(12), ui.px(11));
   list.AddCircleFilled(middle, ui.px(verdict.good() ? 8 : 6), faded(light_colour(verdict.light()), alpha));
@@ -273,6 +340,7 @@ void draw_verdict(const PanelContext& context) {
                                             ui.px(k_line) * static_cast<float>(k)),
               lines[k]);
   ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
+  draw_subjects(context, alpha);
   draw_next(context, verdict);
 }
 

@@ -43,6 +43,10 @@ class Scene {
   void hide(const std::set<std::size_t>& bodies);
   /// Marks these faces alone.
   void mark_faces(std::span<const std::uint32_t> faces);
+  /// Draws these lines over the picture, in place of those around what is in a point's way.
+  void mark_edges(std::span<const ViewSegment> edges) {
+    view_.set_marked_lines(MarkedLines::blocking, edges);
+  }
   /// Marks what is in a point's way, and the way there; and the span in a section.
   void explain(const std::optional<Blocker>& blocker, const std::optional<CutSpan>& span);
   /// What settings may place, drawn over the picture.
