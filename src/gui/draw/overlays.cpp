@@ -57,6 +57,16 @@ bool begin_tooltip(const Ui& ui) {
     memory.wake_s = std::min(memory.wake_s, memory.resting_since_s + k_rest_s);
     return false;
   }
+  // Beside a panel, where it covers nothing of what it explains.
+  constexpr float k_widest_panel = 300.0F, k_gap = 14.0F,
+                  k_low = 0.6F;  // layout units; of the screen's height
+  const ScreenBox panel = window_box(), row = item_box();
+  if (panel.max.x - panel.min.x <= ui.px(k_widest_panel)) {
+    const bool left = panel.centre().x<0.5F * screen_size().x, low = row.max.y> k_low * screen_size().y;
+    place_window(
+        {left ? panel.max.x + ui.px(k_gap) : panel.min.x - ui.px(k_gap), low ? row.max.y : row.min.y},
+        {left ? 0.0F : 1.0F, low ? 1.0F : 0.0F});
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ui.px(260));

@@ -72,12 +72,6 @@ void draw_card(const PanelContext& context, const MeasuredPair& pair, const glm:
   ImGui::End();
 }
 
-/// As the file numbers it.
-std::string facet_number(const AppState& state, FacetIndex facet) {
-  const std::int64_t number = file_facet(state.model->part, facet);
-  return number < 0 ? "of a repair" : std::to_string(number);
-}
-
 }  // namespace
 
 std::string draft_text(double draft_deg) {
@@ -89,8 +83,7 @@ std::vector<std::string> readout_lines(const AppState& state) {
   std::vector<std::string> lines;
   if (const auto& hover = state.hover) {
     lines.emplace_back(facts(hover->point.region).title);
-    lines.push_back(fmt::format("draft {}  ·  facet {}", draft_text(hover->draft_deg),
-                                facet_number(state, hover->point.facet)));
+    lines.push_back("draft " + draft_text(hover->draft_deg));
     if (state.settings.look.colour_mode == ColourMode::draft_angle) {
       const Finish* const finish =
           finish_of(state.settings.required_draft.finishes, state.faces->of_facet[hover->point.facet]);
@@ -104,8 +97,8 @@ std::vector<std::string> readout_lines(const AppState& state) {
                                     suggestion(*state.model, *wall)));
     }
     if (const auto& blocker = hover->blocker) {
-      lines.push_back(fmt::format("blocked {} {} by facet {}", length_text(state, blocker->distance),
-                                  blocker->above ? "above" : "below", facet_number(state, blocker->facet)));
+      lines.push_back(fmt::format("blocked {} {}", length_text(state, blocker->distance),
+                                  blocker->above ? "above" : "below"));
     }
   }
   if (const auto& span = state.span) {

@@ -154,8 +154,8 @@ void describe_bin(const PanelContext& context, const DraftChart& chart, const Dr
                       grouped(areas.text(bin->area[1])), unit));
 }
 
-/// The limit of what is required, which a hand may drag.
-void draw_limit(const PanelContext& context, const DraftChart& chart) {
+/// The limit of what is required, which a hand may drag; true where the mouse is on it.
+bool draw_limit(const PanelContext& context, const DraftChart& chart) {
   const Ui& ui = context.ui;
   double& required = context.edits.settings.required_draft.deg;
   const float x = chart.place_of(required), half = 0.5F * ui.px(k_grip);
@@ -172,6 +172,7 @@ void draw_limit(const PanelContext& context, const DraftChart& chart) {
   list.AddCircleFilled(ImVec2(x, chart.box.min.y), ui.px(lively ? 4.0F : 3.0F),
                        lively ? ui.colours->accent : ui.colours->text);
   if (!grip.active) tooltip(ui, "Required draft", "Drag to change the required draft.");
+  return lively;
 }
 
 void draw_chart(const PanelContext& context, const DraftCheck& check) {
@@ -191,10 +192,10 @@ void draw_chart(const PanelContext& context, const DraftCheck& check) {
     const float left = std::clamp(chart.place_of(draft) - 0.5F * size, start.x, start.x + width - size);
     draw_text(list, ui.note(), {left, foot + ui.px(3)}, text);
   }
-  draw_limit(context, chart);
+  const bool at_limit = draw_limit(context, chart);
   put_cursor(start);
   ImGui::Dummy(ImVec2(width, ui.px(k_chart)));
-  if (ImGui::IsItemHovered() && !ImGui::IsAnyItemActive()) describe_bin(context, chart, check);
+  if (ImGui::IsItemHovered() && !at_limit && !ImGui::IsAnyItemActive()) describe_bin(context, chart, check);
   put_cursor({start.x, start.y + ui.px(k_chart + k_axis)});
 }
 

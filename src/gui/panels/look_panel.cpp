@@ -59,7 +59,7 @@ void draw_opening(const PanelContext& context) {
 
 void draw_look_panel(const PanelContext& context) {
   const Ui& ui = context.ui;
-  if (context.layout.begin(ui, "Look")) {
+  if (context.layout.begin(ui, "Look", "Section and look")) {
     LookSettings& look = context.edits.settings.look;
     const PartLengths lengths(context.state);
     for (const Option<LookSettings>& option : look_options()) {

@@ -66,11 +66,17 @@ constexpr TourStop k_tour[] = {
 };
 
 /// A card that points at a control, with buttons; which was pressed, by its place, if any.
-std::optional<std::size_t> point_at(const PanelContext& context, const ScreenBox& box, const glm::vec2& side,
+std::optional<std::size_t> point_at(const PanelContext& context, const ScreenBox& box, glm::vec2 side,
                                     std::string_view text,
                                     std::span<const std::pair<const char*, Icon>> buttons) {
   const Ui& ui = context.ui;
   std::optional<std::size_t> pressed;
+  // Not over the panels on the right: else on the left, or below.
+  const float width = text_size(ui.fonts.body, text).x + 2.0F * ImGui::GetStyle().WindowPadding.x +
+                      ui.px(16) + static_cast<float>(buttons.size()) * ui.px(k_row_height + 6);
+  const FreeArea free = context.free_area();
+  if (side.x > 0.0F && box.max.x + width > static_cast<float>(free.max.x))
+    side = box.min.x - width > static_cast<float>(free.min.x) ? -side : glm::vec2(0.0F, 1.0F);
   const glm::vec2 at = box.centre() + side * (0.5F * (box.max - box.min) + glm::vec2(ui.px(16)));
   const glm::vec2 tip = at - side * ui.px(8), across(side.y, side.x);
   place_window(at, 0.5F - 0.5F * side);
@@ -209,7 +215,12 @@ void draw_hints(const PanelContext& context) {
       k_places, [&](const HintPlace& each) { return !state.hints_done.contains(each.hint); });
   if (place == std::end(k_places) || state.tour) return;
   const auto control = ui.memory->controls.find(place->control);
-  if (control == ui.memory->controls.end()) return;
+  if (control == ui.memory->controls.end() || state.step != Step::direction) return;
+  const glm::vec2 at = control->second.centre();
+  const FreeArea free = context.free_area();
+  if (place->hint == Hint::arrow &&
+      (at.x < static_cast<float>(free.min.x) || at.x > static_cast<float>(free.max.x)))
+    return;  // behind a panel
   if (point_at(context, control->second, place->side, place->text,
                std::array<std::pair<const char*, Icon>, 1>{{{"dismiss the hint", Icon::close}}}))
     context.edits.hints_done.insert(place->hint);
