@@ -17,6 +17,7 @@
 #include "mesh/health.hpp"
 #include "parting/bar_cut.hpp"
 #include "parting/halves/bodies.hpp"
+#include "parting/halves/depth_columns.hpp"
 #include "parting/make_halves.hpp"
 #include "parting/mold_files.hpp"
 #include "parting/sheet_frame.hpp"
