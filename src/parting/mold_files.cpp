@@ -246,6 +246,25 @@ bool put_body(MoldHalves& halves, std::size_t number, MoldBody body, double thin
   return false;
 }
 
+void set_in_order(MoldHalves& put) {
+  std::vector<std::size_t> order(put.inserts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return put.inserts[k].kind; });
+  std::vector<MoldBody> bodies;
+  std::vector<WrittenBody> written = {put.written.bodies[0], put.written.bodies[1]};
+  for (const std::size_t k : order) {
+    bodies.push_back(std::move(put.inserts[k]));
+    written.push_back(std::move(put.written.bodies[k + 2]));
+  }
+  put.inserts = std::move(bodies);
+  put.written.bodies = std::move(written);
+  std::size_t loose = 0;
+  for (std::size_t k = 0; k < put.inserts.size(); ++k) {
+    if (put.inserts[k].kind != PieceKind::insert) continue;
+    put.inserts[k].name = put.written.bodies[k + 2].name = fmt::format("insert_{}", ++loose);
+  }
+}
+
 void write_mold(const std::string& folder, const MoldFileSettings& settings, const std::string& unit,
                 WrittenMold& mold) {
   std::error_code error;

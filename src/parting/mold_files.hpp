@@ -26,6 +26,9 @@ std::size_t mend_crossed(MoldHalves& halves, std::size_t body, double thinnest, 
 [[nodiscard]] bool put_body(MoldHalves& halves, std::size_t number, MoldBody body, double thinnest,
                             const Progress& progress);
 
+/// Slides, lifters, inserts, each as they were; inserts are numbered anew.
+void set_in_order(MoldHalves& halves);
+
 /// Where in the part's coordinates, without the shrinkage, a point of the files is.
 [[nodiscard]] glm::dvec3 place_in_part(const MoldHalves& halves, const WrittenMold& mold,
                                        const glm::dvec3& at);

@@ -1,0 +1,38 @@
+// The halves without slides, from which those with slides and lifters are made: in the mold's frame about the
+// part's centre, in diagonals of the part.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "parting/insert_actions.hpp"
+#include "parting/mold_pieces.hpp"
+
+namespace moldlight {
+
+/// The lateral tolerance, in diagonals: what moves out may come so near to what stands still.
+inline constexpr double k_way_slack = 1.0 / 2048.0;
+/// A way that leaves the plane across the direction by more, as a sine, is inclined.
+inline constexpr double k_inclined = 1e-3;
+
+struct PlainMold {
+  explicit PlainMold(const PiecesWish& wish);  // which must outlive it
+
+  [[nodiscard]] TriangleMesh as_in_part(const TriangleMesh& body) const;
+  /// Unit, across z, along x or y where it nearly is.
+  [[nodiscard]] glm::dvec3 way_of(std::size_t action) const;
+  /// Corners of what an action releases.
+  [[nodiscard]] std::vector<glm::dvec3> released_by(std::size_t action) const;
+  /// "the part stands in its way, near …"; `place` in this frame.
+  [[nodiscard]] std::string stands_text(std::string_view what, const glm::dvec3& place) const;
+
+  const PiecesWish& wish;
+  TriangleMesh part;
+  std::vector<TriangleMesh> inserts;
+  std::vector<InsertActions> of_inserts;
+};
+
+}  // namespace moldlight
