@@ -1,12 +1,13 @@
 #include "parting/halves/sheets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <tuple>
-#include <unordered_map>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -19,13 +20,25 @@ namespace moldlight {
 
 namespace {
 
-/// Items that lie at points; `cell` is the edge length of a cell, over 0.
-class PlaneGrid {
- public:
-  explicit PlaneGrid(double cell) : cell_(cell) {}
+constexpr int k_most_sheet_rounds = 8;
 
-  void add(const glm::dvec2& at, std::uint32_t item) {
-    cells_[key(place(at.x), place(at.y))].push_back(item);
+}  // namespace
+
+/// Numbers of points; `cell` is the edge length of a cell, over 0.
+class Sheets::PlaneGrid {
+ public:
+  PlaneGrid(double cell, std::span<const glm::dvec2> points) : cell_(cell) {
+    while (first_.size() <= points.size()) first_.resize(2 * first_.size());
+    first_.resize(first_.size() + 1);
+    std::vector<std::uint64_t> keys;
+    keys.reserve(points.size());
+    for (const glm::dvec2& at : points)
+      ++first_[bucket(keys.emplace_back(key(place(at.x), place(at.y)))) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    placed_.resize(points.size());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t item = 0; item < points.size(); ++item)
+      placed_[next[bucket(keys[item])]++] = {keys[item], item};
   }
 
   /// Every item within half a cell of the point, and others.
@@ -66,18 +79,29 @@ class PlaneGrid {
   }
   template <typename Visit>
   void visit_cell(std::int64_t x, std::int64_t y, const Visit& visit) const {
-    const auto found = cells_.find(key(x, y));
-    if (found == cells_.end()) return;
-    for (const std::uint32_t item : found->second) visit(item);
+    const std::uint64_t its = key(x, y);
+    const std::size_t in = bucket(its);
+    for (std::uint32_t k = first_[in]; k < first_[in + 1]; ++k)
+      if (placed_[k].key == its) visit(placed_[k].item);
+  }
+  [[nodiscard]] std::size_t bucket(std::uint64_t key) const {
+    return (key ^ (key >> 32U)) & (first_.size() - 2);
   }
 
+  struct Placed {
+    std::uint64_t key;
+    std::uint32_t item;
+  };
   double cell_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+  std::vector<std::uint32_t> first_ = std::vector<std::uint32_t>(1);  // of each bucket, and one more
+  std::vector<Placed> placed_;                                        // by bucket, rising in each
 };
 
-constexpr int k_most_sheet_rounds = 8;
-
-}  // namespace
+/// What the rounds of putting columns in have in common: columns and ends stay where they are.
+struct Sheets::Passing {
+  std::optional<PlaneGrid> grid;       // of the columns
+  std::vector<std::uint64_t> by_none;  // keys of the edges that pass no column, rising
+};
 
 glm::dvec2 on_grid(const glm::dvec2& at) {
   constexpr double k_cells = 35184372088832.0;  // 2^45
@@ -96,7 +120,7 @@ SheetVertex Sheets::add_vertex(PlanePoint column, double z) {
   return static_cast<SheetVertex>(vertices.size() - 1);
 }
 
-std::vector<SheetEdge> Sheets::ends(unsigned sheets, unsigned turned) const {
+std::vector<SheetEdge> Sheets::ends(unsigned sheets, unsigned turned, bool in_columns) const {
   struct Use {
     SheetVertex high;
     int count;
@@ -107,6 +131,8 @@ std::vector<SheetEdge> Sheets::ends(unsigned sheets, unsigned turned) const {
       const int sign = (bit(facet.sheet) & turned) != 0 ? -1 : 1;
       for (std::size_t k = 0; k < 3; ++k) {
         const SheetVertex from = facet.corners[k], to = facet.corners[(k + 1) % 3];
+        if (in_columns && (column_of[from] == k_no_plane_point || column_of[to] == k_no_plane_point))
+          continue;
         visit(std::min(from, to), Use{std::max(from, to), from < to ? sign : -sign});
       }
     }
@@ -167,13 +193,13 @@ void Sheets::make_columns(double tolerance) {
   std::ranges::sort(ends_at);
   ends_at.erase(std::unique(ends_at.begin(), ends_at.end()), ends_at.end());
   UnionFind joined(ends_at.size());
-  PlaneGrid grid(2.0 * tolerance);
-  for (std::uint32_t k = 0; k < ends_at.size(); ++k) {
-    const glm::dvec2 at(vertices[ends_at[k]]);
-    grid.for_each_near(at, [&](std::uint32_t other) {
-      if (glm::distance(glm::dvec2(vertices[ends_at[other]]), at) <= tolerance) joined.join(k, other);
+  std::vector<glm::dvec2> places;
+  for (const SheetVertex vertex : ends_at) places.emplace_back(vertices[vertex]);
+  const PlaneGrid grid(2.0 * tolerance, places);
+  for (std::uint32_t k = 0; k < places.size(); ++k) {
+    grid.for_each_near(places[k], [&](std::uint32_t other) {
+      if (other < k && glm::distance(places[other], places[k]) <= tolerance) joined.join(k, other);
     });
-    grid.add(at, k);
   }
   std::vector<PlanePoint> column(ends_at.size(), k_no_plane_point);
   for (std::uint32_t k = 0; k < ends_at.size(); ++k) {
@@ -188,42 +214,60 @@ void Sheets::make_columns(double tolerance) {
   }
 }
 
-std::optional<glm::dvec3> Sheets::insert_columns(double tolerance) {
-  std::vector<SheetEdge> edges;
-  for (const Sheet sheet : k_standing_sheets) {
-    const auto more = ends(bit(sheet));
-    edges.insert(edges.end(), more.begin(), more.end());
+std::optional<glm::dvec3> Sheets::insert_columns(double tolerance, Passing& passing) {
+  std::array<std::vector<SheetEdge>, k_standing_sheets.size()> edges;
+  for (std::size_t k = 0; k < edges.size(); ++k) edges[k] = ends(bit(k_standing_sheets[k]), 0, true);
+  if (!passing.grid) {
+    double length = 0.0;
+    std::size_t count = 1;
+    for (const std::vector<SheetEdge>& of_sheet : edges) {
+      count += of_sheet.size();
+      for (const SheetEdge& edge : of_sheet)
+        length += glm::distance(glm::dvec2(vertices[edge.from]), glm::dvec2(vertices[edge.to]));
+    }
+    passing.grid.emplace(std::max({length / static_cast<double>(count), 4.0 * tolerance, 1e-4}), columns);
   }
-  double length = 0.0;
-  for (const SheetEdge& edge : edges)
-    length += glm::distance(glm::dvec2(vertices[edge.from]), glm::dvec2(vertices[edge.to]));
-  PlaneGrid grid(std::max({length / (1.0 + static_cast<double>(edges.size())), 4.0 * tolerance, 1e-4}));
-  for (PlanePoint column = 0; column < columns.size(); ++column) grid.add(columns[column], column);
 
   OnEdges on_edges;
   std::vector<std::pair<double, PlanePoint>> passed;
-  for (const SheetEdge& edge : edges) {
-    const SheetVertex low = std::min(edge.from, edge.to), high = std::max(edge.from, edge.to);
-    if (column_of[low] == column_of[high] || on_edges.contains(edge_key(low, high))) continue;
-    const glm::dvec2 a(vertices[low]), b(vertices[high]);
-    const double squared = glm::dot(b - a, b - a);
-    passed.clear();
-    grid.for_each_along(a, b, [&](PlanePoint column) {
-      if (column == column_of[low] || column == column_of[high]) return;
-      const double share = glm::dot(columns[column] - a, b - a) / squared;
-      if (share <= 0.0 || share >= 1.0) return;
-      if (glm::distance(a + share * (b - a), columns[column]) <= tolerance)
-        passed.emplace_back(share, column);
-    });
-    if (passed.empty()) continue;
-    std::ranges::sort(passed);
-    std::vector<SheetVertex>& on_edge = on_edges[edge_key(low, high)];
-    for (const auto& [share, column] : passed) {
-      if (!on_edge.empty() && column_of[on_edge.back()] == column) continue;
-      moved[column] = std::max(moved[column], glm::distance(a + share * (b - a), columns[column]));
-      on_edge.push_back(add_vertex(column, glm::mix(vertices[low].z, vertices[high].z, share)));
+  std::vector<std::uint64_t> by_none;
+  for (const std::vector<SheetEdge>& of_sheet : edges) {
+    const auto before = static_cast<std::ptrdiff_t>(by_none.size());
+    auto known = passing.by_none.begin();
+    for (const SheetEdge& edge : of_sheet) {
+      const SheetVertex low = std::min(edge.from, edge.to), high = std::max(edge.from, edge.to);
+      const std::uint64_t key = edge_key(low, high);
+      known = std::find_if(known, passing.by_none.end(), [&](std::uint64_t its) { return its >= key; });
+      if (known != passing.by_none.end() && *known == key) {
+        by_none.push_back(key);
+        continue;
+      }
+      if (column_of[low] == column_of[high] || on_edges.contains(key)) continue;
+      const glm::dvec2 a(vertices[low]), b(vertices[high]);
+      const double squared = glm::dot(b - a, b - a);
+      passed.clear();
+      passing.grid->for_each_along(a, b, [&](PlanePoint column) {
+        if (column == column_of[low] || column == column_of[high]) return;
+        const double share = glm::dot(columns[column] - a, b - a) / squared;
+        if (share <= 0.0 || share >= 1.0) return;
+        if (glm::distance(a + share * (b - a), columns[column]) <= tolerance)
+          passed.emplace_back(share, column);
+      });
+      if (passed.empty()) {
+        by_none.push_back(key);
+        continue;
+      }
+      std::ranges::sort(passed);
+      std::vector<SheetVertex>& on_edge = on_edges[key];
+      for (const auto& [share, column] : passed) {
+        if (!on_edge.empty() && column_of[on_edge.back()] == column) continue;
+        moved[column] = std::max(moved[column], glm::distance(a + share * (b - a), columns[column]));
+        on_edge.push_back(add_vertex(column, glm::mix(vertices[low].z, vertices[high].z, share)));
+      }
     }
+    std::inplace_merge(by_none.begin(), by_none.begin() + before, by_none.end());
   }
+  passing.by_none = std::move(by_none);
   if (on_edges.empty()) return std::nullopt;
   divide_edges(on_edges);
   return vertices.back();
@@ -249,25 +293,33 @@ void Sheets::divide(const SheetFacet& facet, const OnEdges& on_edges, std::vecto
 }
 
 void Sheets::divide_edges(const OnEdges& on_edges) {
+  std::vector<char> has(vertices.size(), 0);  // an edge with vertices on it
+  for (const auto& on_edge : on_edges) has[on_edge.first >> 32U] = has[on_edge.first & ~0U] = 1;
   std::vector<SheetFacet> divided;
   divided.reserve(facets.size() + 2 * on_edges.size());
-  for (const SheetFacet& facet : facets) divide(facet, on_edges, divided);
+  for (const SheetFacet& facet : facets) {
+    const auto& [a, b, c] = facet.corners;
+    if (has[a] + has[b] + has[c] >= 2)
+      divide(facet, on_edges, divided);
+    else
+      divided.push_back(facet);
+  }
   facets = std::move(divided);
 }
 
 void Sheets::weld_columns(double tolerance) {
-  std::vector<SheetVertex> standing;
+  using Standing = std::tuple<PlanePoint, double, SheetVertex>;
+  std::vector<Standing> standing;
   for (SheetVertex vertex = 0; vertex < vertices.size(); ++vertex) {
-    if (column_of[vertex] != k_no_plane_point) standing.push_back(vertex);
+    if (column_of[vertex] != k_no_plane_point)
+      standing.emplace_back(column_of[vertex], vertices[vertex].z, vertex);
   }
-  std::ranges::sort(standing, [&](SheetVertex x, SheetVertex y) {
-    return std::tuple(column_of[x], vertices[x].z, x) < std::tuple(column_of[y], vertices[y].z, y);
-  });
+  std::ranges::sort(standing, std::less());
   std::vector<SheetVertex> becomes(vertices.size());
   std::iota(becomes.begin(), becomes.end(), 0U);
   SheetVertex kept = 0;
   for (std::size_t k = 0; k < standing.size(); ++k) {
-    const SheetVertex vertex = standing[k];
+    const SheetVertex vertex = std::get<2>(standing[k]);
     if (k > 0 && column_of[kept] == column_of[vertex] && vertices[vertex].z - vertices[kept].z <= tolerance) {
       becomes[vertex] = kept;
     } else {
@@ -331,8 +383,9 @@ std::optional<glm::dvec3> Sheets::align_ends(double tolerance) {
   make_columns(tolerance);
   weld_columns(tolerance);
   std::optional<glm::dvec3> place;
+  Passing passing;
   for (int round = 0; round < k_most_sheet_rounds; ++round) {
-    place = insert_columns(tolerance);
+    place = insert_columns(tolerance, passing);
     weld_columns(tolerance);
     if (!place) break;
   }

@@ -78,8 +78,9 @@ class Sheets {
   [[nodiscard]] std::optional<glm::dvec3> align_ends(double tolerance);
 
   /// Ends of the sheets taken together, a bit of `sheets` each (1 << sheet), those in `turned` turned over;
-  /// in order of their vertices.
-  [[nodiscard]] std::vector<SheetEdge> ends(unsigned sheets, unsigned turned = 0) const;
+  /// in order of their vertices. Where these are known to be in columns, other edges are not looked at.
+  [[nodiscard]] std::vector<SheetEdge> ends(unsigned sheets, unsigned turned = 0,
+                                            bool in_columns = false) const;
   [[nodiscard]] static constexpr unsigned bit(Sheet sheet) { return 1U << static_cast<unsigned>(sheet); }
 
   /// Edges by the segment of the plane over which they are; those that are upright, or at the block's rim,
@@ -107,9 +108,11 @@ class Sheets {
   void keep_volume(double assigned, double most);
 
  private:
+  class PlaneGrid;
+  struct Passing;
   void make_columns(double tolerance);
   /// A vertex that was put on an edge; none where there was none to put.
-  [[nodiscard]] std::optional<glm::dvec3> insert_columns(double tolerance);
+  [[nodiscard]] std::optional<glm::dvec3> insert_columns(double tolerance, Passing& passing);
   void divide(const SheetFacet& facet, const OnEdges& on_edges, std::vector<SheetFacet>& parts) const;
 };
 
