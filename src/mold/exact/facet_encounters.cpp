@@ -77,26 +77,33 @@ class BoxTree {
     return moldlight::overlap(boxes_[a], boxes_[b]);
   }
 
-  /// Calls visit(other) for every facet whose box is within `distance` of that of `facet` and whose number is
-  /// higher.
+  /// Calls visit(facet, other) for every pair, the lower number first, of a facet of a leaf with one of this
+  /// or a later leaf, whose boxes are within `distance` of each other.
   template <typename Visit>
-  void for_each_near(FacetIndex facet, double distance, const Visit& visit) const {
-    const Box box{boxes_[facet].low - static_cast<float>(distance),
-                  boxes_[facet].high + static_cast<float>(distance)};
+  void for_each_near(const Node& leaf, double distance, const Visit& visit) const {
+    const auto wider = [&](const Box& box, double by) {
+      return Box{box.low - static_cast<float>(by), box.high + static_cast<float>(by)};
+    };
+    const auto meet = [&](std::uint32_t k, std::uint32_t other) {
+      const auto [a, b] = std::minmax({order_[k], order_[other]});
+      if (moldlight::overlap(boxes_[b], wider(boxes_[a], distance))) visit(a, b);
+    };
+    const Box box = wider(leaf.box, 2.0 * distance);  // whatever rounding does
     std::array<std::uint32_t, 64> stack{};
     std::size_t depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
       const std::uint32_t number = stack[--depth];
       const Node& node = nodes_[number];
-      if (!moldlight::overlap(node.box, box)) continue;
+      if (node.end <= leaf.begin || !moldlight::overlap(node.box, box)) continue;
       if (!node.leaf) {
         stack[depth++] = 2 * number + 2;
         stack[depth++] = 2 * number + 1;
         continue;
       }
-      for (std::uint32_t k = node.begin; k < node.end; ++k) {
-        if (order_[k] > facet && moldlight::overlap(boxes_[order_[k]], box)) visit(order_[k]);
+      for (std::uint32_t other = node.begin; other < node.end; ++other) {
+        if (!moldlight::overlap(boxes_[order_[other]], box)) continue;
+        for (std::uint32_t k = leaf.begin; k < std::min(leaf.end, other); ++k) meet(k, other);
       }
     }
   }
@@ -339,14 +346,15 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
   };
   const double distance = budget.in_front ? k_most_in_front : 0.0;
   tbb::enumerable_thread_specific<Lists> found;
+  const std::span<const BoxTree::Node> nodes = tree.nodes();
   tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, tree.order().size(), k_leaves_a_task * k_leaf_facets),
-      [&](const auto& range) {
+      tbb::blocked_range<std::size_t>(0, nodes.size(), k_leaves_a_task), [&](const auto& range) {
         Lists& mine = found.local();
         for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled() && !too_much(); ++k) {
-          const FacetIndex facet = tree.order()[k];
-          if (normals[facet] == glm::dvec3(0.0)) continue;
-          tree.for_each_near(facet, distance, [&](FacetIndex other) { add_pair(facet, other, mine); });
+          if (!nodes[k].leaf) continue;
+          tree.for_each_near(nodes[k], distance, [&](FacetIndex facet, FacetIndex other) {
+            if (normals[facet] != glm::dvec3(0.0)) add_pair(facet, other, mine);
+          });
         }
         count_work(mine);
       });
