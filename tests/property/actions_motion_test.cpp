@@ -91,10 +91,9 @@ double depth_of(const PartModel& model, const glm::dvec3& point) {
   return angle > 2.0 * std::numbers::pi ? nearest : 0.0;
 }
 
-/// Whether a point is inside the part by more than `most`. Surface that one of a few rays finds nearer spares
-/// the distance to all of it.
+/// Whether a point that may be inside the part is so by more than `most`. Surface that one of a few rays
+/// finds nearer spares the distance to all of it.
 bool is_deeper(const PartModel& model, const glm::dvec3& point, double most) {
-  if (!may_be_inside(model, point)) return false;
   for (int k = 0; k < 27; ++k) {
     const glm::dvec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
     if (way == glm::dvec3(0.0)) continue;
@@ -115,9 +114,10 @@ bool enters(const PartModel& model, const ExactQuery& query, double length, cons
   for (int step = 1; step <= k_steps; ++step) {
     const double gone = static_cast<double>(step) / k_steps;
     const glm::dvec3 at = way(gone);
-    if (is_deeper(model, at, query.lateral + play + (gone - outside) * length * sine + k_rounding))
+    if (!may_be_inside(model, at))
+      outside = gone;
+    else if (is_deeper(model, at, query.lateral + play + (gone - outside) * length * sine + k_rounding))
       return true;
-    if (!may_be_inside(model, at)) outside = gone;
   }
   return false;
 }
@@ -157,8 +157,8 @@ void play_body(const PartModel& model, const ExactQuery& query, const SideAction
       const glm::dvec3 from(model.frame.to_unit(point));
       ++played.body_points;
       for (int place = 0; place <= k_places; ++place) {
-        if (!is_deeper(model, moved(model, action, from, static_cast<double>(place) / k_places), most))
-          continue;
+        const glm::dvec3 at = moved(model, action, from, static_cast<double>(place) / k_places);
+        if (!may_be_inside(model, at) || !is_deeper(model, at, most)) continue;
         ++played.body_inside;
         break;
       }

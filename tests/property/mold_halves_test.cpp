@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -44,21 +45,29 @@ struct Tally {
 /// Edges with another count of facets than two, of vertices that are apart and of those that are not in one
 /// place.
 std::size_t edges_not_of_two(const TriangleMesh& mesh) {
-  std::map<std::array<double, 3>, VertexIndex> known;
-  std::vector<VertexIndex> place;
-  for (const glm::dvec3& v : mesh.vertices)
-    place.push_back(known.try_emplace({v.x, v.y, v.z}, static_cast<VertexIndex>(place.size())).first->second);
+  std::vector<VertexIndex> order(mesh.vertices.size()), place(mesh.vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto at = [&](VertexIndex vertex) {
+    const glm::dvec3& v = mesh.vertices[vertex];
+    return std::array{v.x, v.y, v.z};
+  };
+  std::ranges::sort(order, {}, at);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    place[order[k]] = k > 0 && at(order[k - 1]) == at(order[k]) ? place[order[k - 1]] : order[k];
   std::size_t others = 0;
   for (const bool welded : {false, true}) {
-    std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
+    std::vector<std::pair<VertexIndex, VertexIndex>> uses;
     for (const auto& facet : mesh.facets) {
       for (std::size_t k = 0; k < 3; ++k) {
         const VertexIndex a = facet[k], b = facet[(k + 1) % 3];
-        ++uses[welded ? std::minmax(place[a], place[b]) : std::minmax(a, b)];
+        uses.push_back(welded ? std::minmax(place[a], place[b]) : std::minmax(a, b));
       }
     }
-    others += static_cast<std::size_t>(
-        std::ranges::count_if(uses, [](const auto& use) { return use.second != 2; }));
+    std::ranges::sort(uses);
+    for (auto use = uses.begin(), end = use; use != uses.end(); use = end) {
+      end = std::upper_bound(use, uses.end(), *use);
+      others += end - use != 2 ? 1 : 0;
+    }
   }
   return others;
 }
