@@ -1,5 +1,5 @@
-// Work in the background, one piece at a time on a thread of the job's own, with progress, cancelling and a
-// result.
+// Work in the background, one piece at a time on a thread of the job's own, which gives way to those that
+// draw; with progress, cancelling and a result.
 #pragma once
 
 #include <chrono>
@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/priority.hpp"
 #include "base/progress.hpp"
 #include "base/stopwatch.hpp"
 
@@ -150,6 +151,7 @@ class Job {
   }
 
   void run() {
+    give_way();
     std::unique_lock lock(mutex_);
     while (true) {
       changed_.wait(lock, [this] { return ending_ || waiting_; });

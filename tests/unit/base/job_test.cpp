@@ -5,8 +5,12 @@
 #include <chrono>
 #include <semaphore>
 #include <stdexcept>
+#include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 namespace moldlight {
 namespace {
@@ -145,6 +149,22 @@ TEST(Job, LeavesTheCoresAloneForAsLongAsItsPauseSays) {
   }
   EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(3 * 50));
   EXPECT_GE(asked, 3);
+}
+
+TEST(Job, GivesWayToThreadsThatDraw) {
+  const auto niceness = [] { return getpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid))); };
+  const int own = niceness();
+  std::binary_semaphore done{0};
+  Job job({.wake = [&done] { done.release(); }});
+  int of_threads_that_it_starts = 0;
+  job.start([&](const Progress&) {
+    std::thread([&] { of_threads_that_it_starts = niceness(); }).join();
+    return niceness();
+  });
+  done.acquire();
+  EXPECT_GT(taken(job), own);
+  EXPECT_GT(of_threads_that_it_starts, own);
+  EXPECT_EQ(niceness(), own) << "the thread that draws is as it was";
 }
 
 }  // namespace
