@@ -18,7 +18,8 @@ using moldlight::test::Process;
 using moldlight::test::ProcessSettings;
 
 constexpr const char *k_server = "/usr/bin/Xvfb", *k_actor = "/usr/bin/xdotool",
-                     *k_resources = "/usr/bin/xrdb", *k_camera = "/usr/bin/import";
+                     *k_resources = "/usr/bin/xrdb", *k_camera = "/usr/bin/import",
+                     *k_manager = "/usr/bin/openbox";
 constexpr double k_patience_s = 120.0;
 
 void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(150)); }
@@ -44,6 +45,21 @@ VirtualDisplay::VirtualDisplay(const glm::ivec2& screen) {
   if (!server_->wait_for_output_text("\n")) throw std::runtime_error("Xvfb does not start");
   const std::string number = server_->output().substr(0, server_->output().find('\n'));
   environment_ = {"DISPLAY=:" + number, "LIBGL_ALWAYS_SOFTWARE=1"};
+  if (!std::filesystem::exists(k_manager)) return;
+  settings.environment = environment_;
+  manager_ = std::make_unique<Process>(std::vector<std::string>{k_manager, "--sm-disable"}, settings);
+  // It is there once the display has desktops, which are a window manager's.
+  const auto manages = [&] {
+    ProcessSettings asking;
+    asking.environment = environment_;
+    return Process({k_actor, "get_num_desktops"}, asking).finish().exit_code == 0;
+  };
+  const auto start = std::chrono::steady_clock::now();
+  while (!manages()) {
+    pause();
+    if (std::chrono::steady_clock::now() - start > std::chrono::duration<double>(k_patience_s))
+      throw std::runtime_error("openbox does not start");
+  }
 }
 
 std::string VirtualDisplay::run(const std::vector<std::string>& arguments) const {

@@ -1,4 +1,5 @@
-// An X display of its own (Xvfb) for a test, and the tools that act on it as a user would (xdotool, import).
+// An X display of its own (Xvfb) for a test, with a window manager (openbox) where one is installed, and the
+// tools that act on it as a user would (xdotool, import).
 #pragma once
 
 #include <memory>
@@ -12,13 +13,15 @@
 
 namespace moldlight::gui::test {
 
-/// The display on which no window manager runs. Every wait ends after a minute or two with an exception.
+/// Every wait ends after a minute or two with an exception.
 class VirtualDisplay {
  public:
   /// What of Xvfb, xdotool, xrdb, import is not installed; empty if all is there.
   [[nodiscard]] static std::string missing();
 
   explicit VirtualDisplay(const glm::ivec2& screen);
+  /// The window manager that runs there; empty where none is installed.
+  [[nodiscard]] std::string manager() const { return manager_ ? "openbox" : ""; }
   /// Environment of programs that are to show their windows there, drawn in software.
   [[nodiscard]] const std::vector<std::string>& environment() const { return environment_; }
   /// The resource by which desktops show the content scale; for programs started afterwards.
@@ -36,7 +39,7 @@ class VirtualDisplay {
  private:
   [[nodiscard]] std::string run(const std::vector<std::string>& arguments) const;
 
-  std::unique_ptr<moldlight::test::Process> server_;
+  std::unique_ptr<moldlight::test::Process> server_, manager_;
   std::vector<std::string> environment_;
 };
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/shown_text.hpp"
+#include "batch/manifest.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/workspace.hpp"
 #include "io/part_formats.hpp"
@@ -163,9 +164,11 @@ bool FileBrowser::draw_list(const PanelContext& context) {
     if (k == selected_ && steps != 0) ImGui::SetScrollHereY(0.5F);
   }
   ImGui::EndChild();
-  if (chosen && chosen->folder) next_ = chosen->path;
-  if (chosen && !chosen->folder) {
-    const bool compares = context.state.dialogs.browser_compares;
+  const bool compares = context.state.dialogs.browser_compares;
+  const bool enters = chosen && chosen->folder && (compares || !batch::is_batch(chosen->path.string()));
+  if (enters) {
+    next_ = chosen->path;
+  } else if (chosen) {
     context.edits.ask(compares ? &Commands::compare_with : &Commands::open_part, chosen->path.string());
     context.edits.dialogs.browser = false;
   }
