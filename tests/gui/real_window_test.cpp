@@ -1,9 +1,9 @@
 // The program's window on a display of its own, used from outside as a user would: mouse, keys, resizing,
 // end.
+#include "gui/real_window.hpp"
+
 #include <csignal>
 #include <numeric>
-
-#include "gui/real_window.hpp"
 
 namespace moldlight::gui::test {
 namespace {

@@ -154,7 +154,7 @@ std::vector<std::size_t> sorted_bodies(const BodiesState& bodies, const BodyOrde
 }
 
 void BodiesPanel::draw_below(const PanelContext& context, const PictureOf& pictures) {
-  constexpr float k_table_share = 0.3F;  // of the window's height
+  constexpr float k_table_share = 0.22F;  // of the window's height
   // By BodyOrder::By.
   static const std::vector<SortedColumn> k_columns = {
       {.name = "body", .figure = false, .most_first = false, .share = 0.3F},

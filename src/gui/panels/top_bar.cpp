@@ -107,10 +107,10 @@ void draw_top_bar(const PanelContext& context) {
     const float strip = strip_width(context), gap = ui.px(16);
     const float room = io.DisplaySize.x - right_width(ui, true) - strip - 3.0F * gap;
     draw_part_name(context, std::clamp(room, ui.px(k_least_name), ui.px(k_widest_name)));
-    // In the middle of the window, where the part's name leaves that free.
-    const float least = item_box().max.x + gap;
+    // In the middle of the window, where the buttons and the part's name leave that free.
+    const float least = item_box().max.x + gap, most = io.DisplaySize.x - right_width(ui, true) - gap - strip;
     ImGui::SameLine(0.0F, 0.0F);
-    ImGui::SetCursorPosX(std::max(least, std::round(0.5F * (io.DisplaySize.x - strip))));
+    ImGui::SetCursorPosX(std::max(least, std::min(most, std::round(0.5F * (io.DisplaySize.x - strip)))));
     draw_strip(context);
   } else {
     row_text(ui, ui.strong(), text_size(ui.fonts.strong, "moldlight").x, "moldlight");
