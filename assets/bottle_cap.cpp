@@ -50,7 +50,7 @@ std::vector<TopoDS_Shape> thread() {
 TopoDS_Shape bottle_cap() {
   TopoDS_Shape body = rounded(pin(0, 0, 0, k_height, k_outer_radius, 0.5), 1.5, edges_at_height(0.0));
   std::vector<TopoDS_Shape> knurls;
-  constexpr int k_knurls = 48;
+  constexpr int k_knurls = 36;
   for (int i = 0; i < k_knurls; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / k_knurls;
     const double radius = k_outer_radius + 0.45;
