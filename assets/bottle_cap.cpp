@@ -50,13 +50,17 @@ std::vector<TopoDS_Shape> thread() {
 TopoDS_Shape bottle_cap() {
   TopoDS_Shape body = rounded(pin(0, 0, 0, k_height, k_outer_radius, 0.5), 1.5, edges_at_height(0.0));
   std::vector<TopoDS_Shape> knurls;
-  constexpr int k_knurls = 36;
+  constexpr int k_knurls = 48;
   for (int i = 0; i < k_knurls; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / k_knurls;
-    const double radius = k_outer_radius + 0.45;
     // They end below the rim, so that the half of the closed end forms them and the halves meet at the rim.
+    const auto at = [&](double radius, double beside) {
+      const double x = std::cos(angle), y = std::sin(angle);
+      return gp_Pnt(radius * x - beside * y, radius * y + beside * x, -1.0);
+    };
     knurls.push_back(
-        pin(radius * std::cos(angle), radius * std::sin(angle), -1.0, k_height - 2.0, 0.75, 0.0));
+        prism({at(k_outer_radius - 0.35, 0.0), at(k_outer_radius + 0.5, 0.9), at(k_outer_radius + 0.5, -0.9)},
+              gp_Vec(0.0, 0.0, k_height - 1.0)));
   }
   body = cut(body, knurls);
   const TopoDS_Shape hollow =

@@ -226,11 +226,13 @@ class Meetings {
   /// Whether the action forms the place (unit frame) where a ray met the part.
   [[nodiscard]] bool forms(const Way& way, const ExactRays::Hit& hit, const glm::dvec3& place) const {
     const glm::dvec3 at = model_.frame.center + model_.frame.diagonal * place;
-    return std::ranges::any_of(
-        std::ranges::equal_range(pieces_, hit.facet, {}, &FacetPiece::first), [&](const auto& entry) {
-          return plan_.action_of_piece[entry.second] == static_cast<std::int32_t>(way.action) &&
-                 holds(split_.pieces[entry.second].corners, at);
-        });
+    auto piece = std::ranges::lower_bound(pieces_, hit.facet, {}, &FacetPiece::first);
+    for (; piece != pieces_.end() && piece->first == hit.facet; ++piece) {
+      if (plan_.action_of_piece[piece->second] == static_cast<std::int32_t>(way.action) &&
+          holds(split_.pieces[piece->second].corners, at))
+        return true;
+    }
+    return false;
   }
 
   /// Of a point in the plane of a piece.

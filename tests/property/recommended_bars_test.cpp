@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t k_small_part = 340'000, k_shipped_part = 1'500'000;  // bytes
+constexpr std::uintmax_t k_small_part = 340'000, k_shipped_part = 1'400'000;  // bytes
 constexpr double k_same_place_deg = 3.0, k_same_deg = 1e-6;
 
 /// What the side actions of a canonical direction come to, found apart from any sweep.
