@@ -20,7 +20,7 @@ constexpr float k_bottom_row = 40.0F;       // layout units: a folded panel alon
 constexpr float k_least_bottom = 600.0F;    // with less between the side panels it reaches below them
 
 /// Layout units that panels and dialogs have at least.
-constexpr glm::vec2 k_least_size(1024.0F, 600.0F);
+constexpr glm::vec2 k_least_size(960.0F, 600.0F);
 constexpr float k_least_scale = 0.75F;  // with less nobody could read it
 
 /// A panel in imgui.ini as ImGui writes it: the position in pixels of a window of k_layout_size.
