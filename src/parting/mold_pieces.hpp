@@ -10,16 +10,9 @@
 #include "actions/side_action.hpp"
 #include "parting/insert_actions.hpp"
 #include "parting/mold_halves.hpp"
+#include "parting/plain_mold.hpp"
 
 namespace moldlight {
-
-struct MeetingPlace;
-
-/// An action that is no solid of the mold.
-struct UnmadeAction {
-  std::size_t action = 0;  // number in the plan
-  std::string why;         // a clause
-};
 
 struct MoldPieces {
   MoldHalves halves;
@@ -27,14 +20,6 @@ struct MoldPieces {
   std::vector<UnmadeAction> unmade;       // in the plan's order
 };
 
-struct PiecesWish {
-  const PartModel& model;
-  const MoldHalves& plain;  // without slides
-  const ActionPlan& plan;
-  const SplitMesh& split;  // of the classification that the plan was found for
-  const MeetingPlace& place;
-  const MoldSettings& settings;
-};
 /// The halves with as many of the plan's slides and lifters as can be made; what the others form stays
 /// inserts, as in the halves without. Throws Cancelled.
 [[nodiscard]] MoldPieces make_pieces(const PiecesWish& wish, const Progress& progress);

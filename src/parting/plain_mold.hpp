@@ -4,12 +4,15 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "classify/part_model.hpp"
 #include "parting/insert_actions.hpp"
-#include "parting/mold_pieces.hpp"
+#include "parting/mold_halves.hpp"
+#include "parting/mold_settings.hpp"
 
 namespace moldlight {
 
@@ -17,6 +20,23 @@ namespace moldlight {
 inline constexpr double k_way_slack = 1.0 / 2048.0;
 /// A way that leaves the plane across the direction by more, as a sine, is inclined.
 inline constexpr double k_inclined = 1e-3;
+
+struct MeetingPlace;
+
+/// An action that is no solid of the mold.
+struct UnmadeAction {
+  std::size_t action = 0;  // number in the plan
+  std::string why;         // a clause
+};
+
+struct PiecesWish {
+  const PartModel& model;
+  const MoldHalves& plain;  // without slides
+  const ActionPlan& plan;
+  const SplitMesh& split;  // of the classification that the plan was found for
+  const MeetingPlace& place;
+  const MoldSettings& settings;
+};
 
 struct PlainMold {
   explicit PlainMold(const PiecesWish& wish);  // which must outlive it
