@@ -19,13 +19,15 @@ namespace moldlight {
 
 namespace {
 
+constexpr double k_most_lost = 1e-9;  // of the block's volume
+
 /// An insert with this corner goes.
-void take_out(const glm::dvec3& corner, MoldHalves& put) {
-  constexpr double k_same = 1e-6;
+void take_out(const glm::dvec3& corner, double unit, MoldHalves& put) {
+  constexpr double k_same = 1e-4;  // of the unit
   const auto insert = std::ranges::find_if(put.inserts, [&](const MoldBody& body) {
     return body.kind == PieceKind::insert &&
            std::ranges::any_of(body.mesh.vertices, [&](const glm::dvec3& vertex) {
-             return glm::distance(vertex, corner) < k_same * glm::length(corner);
+             return glm::distance(vertex, corner * unit) < k_same * unit;
            });
   });
   if (insert == put.inserts.end()) return;
@@ -196,7 +198,7 @@ bool LifterBars::put(MoldHalves& halves) {
   const double unit = plain_.wish.model.frame.diagonal * halves.scale, thinnest = k_needle * unit;
   MoldHalves with = halves;
   for (const Bar& bar : bars_) {
-    for (const std::size_t insert : bar.inserts) take_out(lifted(insert, bar).corner * unit, with);
+    for (const std::size_t insert : bar.inserts) take_out(lifted(insert, bar).corner, unit, with);
   }
   std::vector<Bounds> rooms;
   for (std::size_t k = 0; k < bars_.size(); ++k) {
@@ -222,6 +224,13 @@ bool LifterBars::put(MoldHalves& halves) {
              std::ranges::find_if(bars_, [&](const Bar& bar) { return core_side(bar) == (half == 0); }) -
              bars_.begin()),
          why);
+    return false;
+  }
+  with.volume_gap =
+      (with.block_volume - with.core.volume - with.cavity.volume - with.part_volume - with.insert_volume) /
+      with.block_volume;
+  if (std::abs(with.volume_gap) > k_most_lost) {
+    give_up("halves, lifters and part do not fill the block");
     return false;
   }
   set_in_order(with);
