@@ -14,12 +14,11 @@
 #include "base/error.hpp"
 #include "classify/number_format.hpp"
 #include "mesh/adjacency.hpp"
-#include "mesh/facet_geometry.hpp"
 #include "mesh/union_find.hpp"
-#include "mold/surface_samples.hpp"
 #include "parting/min_cut.hpp"
 #include "parting/mold_settings.hpp"
 #include "parting/piece_edges.hpp"
+#include "parting/thin_walls.hpp"
 
 namespace moldlight {
 
@@ -33,11 +32,6 @@ constexpr double k_given_weight = 1e3, k_wish_weight = 1e5;
 /// Undercuts of less than this share of the part's area are left to either half.
 constexpr double k_undercut_floor = 1e-5;
 constexpr std::size_t k_most_heights = 10;
-/// What a thin wall costs whose two faces one half forms, where another height gives them to both: of its
-/// length, for each time that it is higher than it is thick. The steel has a slot as deep and narrow.
-constexpr double k_slot_weight = 0.005;
-constexpr std::uint64_t k_slot_places = 4;  // of a piece
-constexpr double k_thin_wall = 0.1;         // of the diagonal, at most
 // Of a piece, for as long as sides are sought: free and divided at the height; a hair beyond it.
 constexpr std::uint8_t k_divided = 2, k_beyond = 3;
 constexpr double k_hair_beyond = 2.0;  // lateral tolerances
@@ -45,44 +39,6 @@ constexpr double k_at_height = 1e-6;   // of the diagonal
 constexpr double k_level_sine = 0.01;  // a crease that climbs less is level
 /// Pieces that are narrower, as a share of the diagonal, are what rounding leans out or hides.
 constexpr double k_least_width = 1e-6;
-
-/// The other face of a wall, at a place of a piece that either half could form.
-struct OtherFace {
-  PieceIndex piece = 0, other = 0;
-  double cost = 0.0;  // where one half forms both
-};
-
-std::vector<OtherFace> other_faces(const PartModel& model, const Assignment& assignment) {
-  constexpr double k_inward = 1e-6, k_opposite = -0.7;  // unit frame; cosine at most
-  const SplitMesh& mesh = assignment.mesh;
-  std::vector<std::vector<PieceIndex>> pieces_of(model.part.mesh.facets.size());
-  for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece)
-    pieces_of[mesh.pieces[piece].facet].push_back(piece);
-  std::vector<OtherFace> found;
-  for (PieceIndex piece = 0; piece < mesh.pieces.size(); ++piece) {
-    if (assignment.free[piece] == 0) continue;
-    const glm::dvec3& normal = model.geometry.normals[mesh.pieces[piece].facet];
-    const double area = 0.5 * glm::length(twice_piece_area(mesh, piece)) / k_slot_places;
-    for (std::uint64_t k = 0; k < k_slot_places; ++k) {
-      const glm::dvec3 at =
-          triangle_place(k).in(mesh.corner(piece, 0), mesh.corner(piece, 1), mesh.corner(piece, 2));
-      const glm::dvec3 from = (at - model.frame.center) / model.frame.diagonal - k_inward * normal;
-      const auto hit = model.rays().first_hit(glm::vec3(from), glm::vec3(-normal), false);
-      if (!hit || static_cast<double>(hit->distance) > k_thin_wall ||
-          glm::dot(model.geometry.normals[hit->facet], normal) > k_opposite)
-        continue;
-      const double thickness = model.frame.diagonal * std::max(k_inward, static_cast<double>(hit->distance));
-      const glm::dvec3 there = at - thickness * normal;
-      const PieceIndex other = *std::ranges::min_element(pieces_of[hit->facet], {}, [&](PieceIndex one) {
-        return glm::distance(
-            nearest_in_triangle(there, {mesh.corner(one, 0), mesh.corner(one, 1), mesh.corner(one, 2)}),
-            there);
-      });
-      found.push_back({piece, other, k_slot_weight * area / thickness});
-    }
-  }
-  return found;
-}
 
 /// The costs of one part's pieces.
 struct Costs {
@@ -327,13 +283,13 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
     double energy = 0.0, slots = 0.0;
   };
   std::vector<Trial> trials(heights.size());
-  const std::vector<OtherFace> faces =
-      heights.size() > 1 ? other_faces(model, result) : std::vector<OtherFace>{};
+  const std::vector<ThinWall> walls =
+      heights.size() > 1 ? thin_walls(model, result.mesh, result.free) : std::vector<ThinWall>{};
   tbb::parallel_for(std::size_t{0}, heights.size(), [&](std::size_t k) {
     trials[k].sides = result.sampled ? result.sides : cut_sides(result, costs, heights[k], progress);
     trials[k].energy = energy_of(result, costs, heights[k], trials[k].sides);
-    for (const OtherFace& face : faces)
-      trials[k].slots += trials[k].sides[face.piece] == trials[k].sides[face.other] ? face.cost : 0.0;
+    for (const ThinWall& wall : walls)
+      trials[k].slots += trials[k].sides[wall.piece] == trials[k].sides[wall.other] ? wall.cost : 0.0;
   });
   progress.report("assigning", 0.8);
   const auto best =

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "parting/halves/bodies.hpp"
-#include "parting/halves/plane_mesh.hpp"
+#include "parting/halves/plane_section.hpp"
 #include "parting/piece_edges.hpp"
 
 namespace moldlight {
@@ -17,7 +16,6 @@ namespace moldlight {
 namespace {
 
 using Facets = std::vector<std::array<VertexIndex, 3>>;
-using DirectedEdge = std::array<VertexIndex, 2>;
 
 class BarCutter {
  public:
@@ -139,48 +137,18 @@ class BarCutter {
   }
 
   /// The wall in a side, as both have it; false where it cannot be divided into facets.
-  bool add_wall(std::size_t side, Facets& inside, Facets& outside) {
+  bool add_wall(std::size_t side, Facets& inside, Facets& outside) const {
     std::vector<DirectedEdge> edges = rims_[side];
     edges.insert(edges.end(), joints_[side].begin(), joints_[side].end());
     if (edges.empty()) return true;
     const glm::dvec3& normal = room_.sides[side].normal;
-    const glm::dvec3 along = glm::normalize(room_.along - glm::dot(room_.along, normal) * normal),
-                     across = glm::cross(normal, along);
-    glm::dvec2 low(INFINITY), high(-INFINITY);
-    const auto in_wall = [&](VertexIndex vertex) {
-      const glm::dvec3& at = mesh_.vertices[vertex];
-      return glm::dvec2(glm::dot(at, along), glm::dot(at, across)) / size_;
-    };
-    for (const DirectedEdge& edge : edges) {
-      low = glm::min(low, in_wall(edge[0]));
-      high = glm::max(high, in_wall(edge[0]));
-    }
-    const glm::dvec2 middle = 0.5 * (low + high), half = 0.6 * (high - low) + 1e-3;
-    PlaneMesh wall(on_grid(-half), on_grid(half));
-    std::map<VertexIndex, std::uint32_t> number;
-    std::map<std::uint32_t, VertexIndex> vertex_of;
-    for (const DirectedEdge& edge : edges) {
-      for (const VertexIndex vertex : edge) {
-        const auto [entry, added] = number.try_emplace(vertex, 0);
-        if (!added) continue;
-        entry->second = wall.add_point(on_grid(in_wall(vertex) - middle));
-        if (!vertex_of.emplace(entry->second, vertex).second) return false;
-      }
-    }
-    for (const auto& [from, to] : edges) {
-      if (wall.add_segment(number.at(from), number.at(to), PlaneMesh::k_outline)) return false;
-    }
-    wall.find_inside();
-    for (const PlaneMesh::Triangle& triangle : wall.triangles()) {
-      if (!triangle.inside) continue;
-      std::array<VertexIndex, 3> corners{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto vertex = vertex_of.find(triangle.corners[k]);
-        if (vertex == vertex_of.end()) return false;
-        corners[k] = vertex->second;
-      }
-      inside.push_back(corners);
-      outside.push_back({corners[0], corners[2], corners[1]});
+    const glm::dvec3 along = glm::normalize(room_.along - glm::dot(room_.along, normal) * normal);
+    const auto wall =
+        section_facets(mesh_.vertices, edges, {along, glm::cross(normal, along), normal}, size_);
+    if (!wall) return false;
+    for (const auto& [a, b, c] : *wall) {
+      inside.push_back({a, b, c});
+      outside.push_back({a, c, b});
     }
     return true;
   }

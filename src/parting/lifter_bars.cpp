@@ -12,7 +12,6 @@
 #include "parting/halves/bodies.hpp"
 #include "parting/halves/depth_columns.hpp"
 #include "parting/mold_files.hpp"
-#include "parting/sheet_frame.hpp"
 #include "parting/slide_blank.hpp"
 
 namespace moldlight {
@@ -26,9 +25,7 @@ void take_out(const glm::dvec3& corner, double unit, MoldHalves& put) {
   constexpr double k_same = 1e-4;  // of the unit
   const auto insert = std::ranges::find_if(put.inserts, [&](const MoldBody& body) {
     return body.kind == PieceKind::insert &&
-           std::ranges::any_of(body.mesh.vertices, [&](const glm::dvec3& vertex) {
-             return glm::distance(vertex, corner * unit) < k_same * unit;
-           });
+           has_corner(body.mesh.vertices, body.mesh.facets, corner * unit, k_same * unit);
   });
   if (insert == put.inserts.end()) return;
   put.insert_volume -= insert->volume;
@@ -144,7 +141,7 @@ void LifterBars::add(std::size_t number) {
     unmade_.push_back({number, std::move(why)});
     return;
   }
-  const SheetFrame frame{plain_.wish.plain.frame, plain_.wish.plain.centre, plain_.wish.model.frame.diagonal};
+  const SheetFrame& frame = plain_.frame;
   const glm::dvec3 travel = plain_.way_of(number), across = glm::cross(glm::dvec3(0, 0, 1), travel),
                    way = plain_.wish.plain.frame.to_mold(action.stems.front().way),
                    down(0, 0, action.core_side ? 1.0 : -1.0);
@@ -233,6 +230,7 @@ bool LifterBars::put(MoldHalves& halves) {
     give_up("halves, lifters and part do not fill the block");
     return false;
   }
+  with.with_lifted = {};
   set_in_order(with);
   halves = std::move(with);
   return true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -294,12 +295,7 @@ class Trial {
     constexpr double k_same = 1e-5;
     std::vector<std::size_t> found;
     for (std::size_t k = 0; k < asked_.beside.blanks.size(); ++k) {
-      const glm::dvec3& end = asked_.beside.blanks[k].end;
-      if (std::ranges::any_of(facets, [&](const auto& facet) {
-            return std::ranges::any_of(
-                facet, [&](SheetVertex v) { return glm::distance(sheets_.vertices[v], end) < k_same; });
-          }))
-        found.push_back(k);
+      if (has_corner(sheets_.vertices, facets, asked_.beside.blanks[k].end, k_same)) found.push_back(k);
     }
     return found;
   }
@@ -330,38 +326,23 @@ class Trial {
     return std::nullopt;
   }
 
-  /// The halves with the inserts that lifters form: what these hide is theirs.
+  /// The halves with the inserts that lifters form.
   void join_lifted() {
     constexpr double k_same = 1e-4;
+    if (asked_.beside.lifted.empty()) return;
+    const std::vector<Facets> bodies = connected_bodies(sheets_.vertices.size(), fill_);
     for (const bool core : {true, false}) {
-      Sheets sheets = sheets_;
-      std::vector<std::uint8_t> lifted(sheets.vertices.size(), 0);
-      bool any = false;
-      for (const Facets& facets : connected_bodies(sheets.vertices.size(), fill_)) {
-        const bool is_its = std::ranges::any_of(asked_.beside.lifted, [&](const LiftedInsert& insert) {
-          return insert.core_side == core && std::ranges::any_of(facets, [&](const auto& facet) {
-                   return std::ranges::any_of(facet, [&](SheetVertex v) {
-                     return glm::distance(sheets.vertices[v], insert.corner) < k_same;
-                   });
-                 });
+      std::vector<Facets> lifted;
+      std::ranges::copy_if(bodies, std::back_inserter(lifted), [&](const Facets& body) {
+        return std::ranges::any_of(asked_.beside.lifted, [&](const LiftedInsert& insert) {
+          return insert.core_side == core && has_corner(sheets_.vertices, body, insert.corner, k_same);
         });
-        if (!is_its) continue;
-        any = true;
-        for (const auto& facet : facets) {
-          for (const SheetVertex v : facet) lifted[v] = 1;
-        }
-      }
-      if (!any) continue;
-      for (SheetFacet& facet : sheets.facets) {
-        const auto is_lifted = [&](SheetVertex v) { return lifted[v] != 0; };
-        if (facet.sheet == Sheet::hidden && std::ranges::all_of(facet.corners, is_lifted))
-          facet.sheet = core ? Sheet::upper : Sheet::lower;
-      }
-      Facets half;
-      if (close_upright(sheets, half_sheets(core), half)) continue;
-      add_block(sheets, block_, core, half);
-      MoldBody body = scaled_body(sheets.vertices, half, frame_.diagonal * halves_.scale);
-      if (body.open_edges == 0) halves_.with_lifted[core ? 0 : 1] = std::move(body.mesh);
+      });
+      if (lifted.empty()) continue;
+      auto half = half_with_bodies(sheets_, lifted, core, half_sheets(core), block_);
+      if (!half) continue;
+      for (glm::dvec3& vertex : half->vertices) vertex *= frame_.diagonal * halves_.scale;
+      halves_.with_lifted[core ? 0 : 1] = std::move(*half);
     }
   }
 

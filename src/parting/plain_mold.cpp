@@ -6,12 +6,12 @@
 #include <glm/geometric.hpp>
 
 #include "classify/figure_table.hpp"
-#include "parting/sheet_frame.hpp"
 
 namespace moldlight {
 
 PlainMold::PlainMold(const PiecesWish& asked)
     : wish(asked),
+      frame{asked.plain.frame, asked.plain.centre, asked.model.frame.diagonal},
       part(in_mold(asked.plain, asked.model.part.mesh, asked.model.frame.diagonal)),
       of_inserts(actions_of_inserts(asked.plain, asked.split, asked.plan)) {
   for (const MoldBody& insert : asked.plain.inserts) inserts.push_back(as_in_part(insert.mesh));
@@ -31,7 +31,6 @@ glm::dvec3 PlainMold::way_of(std::size_t action) const {
 }
 
 std::vector<glm::dvec3> PlainMold::released_by(std::size_t action) const {
-  const SheetFrame frame{wish.plain.frame, wish.plain.centre, wish.model.frame.diagonal};
   std::vector<glm::dvec3> corners;
   for (std::size_t piece = 0; piece < wish.split.pieces.size(); ++piece) {
     if (wish.plan.action_of_piece[piece] != static_cast<std::int32_t>(action)) continue;
@@ -41,7 +40,6 @@ std::vector<glm::dvec3> PlainMold::released_by(std::size_t action) const {
 }
 
 std::string PlainMold::stands_text(std::string_view what, const glm::dvec3& place) const {
-  const SheetFrame frame{wish.plain.frame, wish.plain.centre, wish.model.frame.diagonal};
   return fmt::format("{} stands in its way, near {}", what,
                      FigureStyle(wish.model).point(frame.in_part(place)));
 }

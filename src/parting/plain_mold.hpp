@@ -13,6 +13,7 @@
 #include "parting/insert_actions.hpp"
 #include "parting/mold_halves.hpp"
 #include "parting/mold_settings.hpp"
+#include "parting/sheet_frame.hpp"
 
 namespace moldlight {
 
@@ -50,6 +51,7 @@ struct PlainMold {
   [[nodiscard]] std::string stands_text(std::string_view what, const glm::dvec3& place) const;
 
   const PiecesWish& wish;
+  SheetFrame frame;
   TriangleMesh part;
   std::vector<TriangleMesh> inserts;
   std::vector<InsertActions> of_inserts;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,7 +27,7 @@ constexpr double k_clear = 1e-6;
 constexpr double k_held = 1e-4;  // less of a way is touched, not blocked
 /// So much do storeys overlap.
 constexpr double k_overlap = 1.1e-3;
-constexpr std::size_t k_section_lines = 64, k_most_steps = 1500, k_exit_lines = 150, k_most_rims = 300;
+constexpr std::size_t k_section_lines = 64, k_most_steps = 1500, k_exit_lines = 150;
 
 /// Between what heights along the way the blank has to begin at a place of its section.
 struct FrontRange {
@@ -336,12 +335,15 @@ SlideBlank slide_blank(const BlankWish& wish) { return BlankMaker(wish).run(); }
 WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::dvec3& way, double reach,
                double rim) {
   const WayFrame frame = frame_along(way);
-  const auto met_on = [&](const LineGrid& grid, std::size_t* lines) {
+  WayOut found;
+  std::size_t lines = 0, held = 0;
+  const auto met_on = [&](const LineGrid& grid) {
     const auto own = depth_columns(piece, frame, grid), others = depth_columns(still, frame, grid);
     std::vector<Met> met(grid.lines());
+    lines = 0;
     for (std::size_t line = 0; line < grid.lines(); ++line) {
       if (own[line].empty()) continue;
-      if (lines != nullptr) ++*lines;
+      ++lines;
       if (others[line].empty()) continue;
       met[line] = std::isfinite(reach) ? met_within(own[line], others[line], reach)
                                        : met_beyond(own[line], others[line]);
@@ -349,32 +351,22 @@ WayOut way_out(const TriangleMesh& piece, const TriangleMesh& still, const glm::
     return met;
   };
   const LineGrid grid = LineGrid::over(piece, frame, k_exit_lines);
-  std::size_t lines = 0, held = 0;
-  const std::vector<Met> met = met_on(grid, &lines);
-  std::vector<std::size_t> blocked;
-  for (std::size_t line = 0; line < met.size(); ++line) {
-    held += met[line].depth > k_held ? 1 : 0;
-    if (met[line].depth > 0.0) blocked.push_back(line);
-  }
-  std::ranges::stable_sort(blocked, std::greater(), [&](std::size_t line) { return met[line].depth; });
-  // The deepest that is not at a rim: there some line beside it, so far off, is met less.
-  const auto depth_inside = [&](std::size_t line) {
-    if (rim <= 0.0) return met[line].depth;
-    const LineGrid around{grid.at(line) - 1.5 * rim, grid.at(line) + 1.5 * rim, 3};
-    return std::ranges::min(met_on(around, nullptr), {}, &Met::depth).depth;
-  };
-  WayOut found;
-  std::size_t tried = 0;
-  for (const std::size_t line : blocked) {
-    if (met[line].depth <= found.blocked || ++tried > k_most_rims) break;
-    const double depth = depth_inside(line);
-    if (depth <= found.blocked) continue;
-    const glm::dvec2 at = grid.at(line);
-    found.blocked = depth;
-    found.place = at.x * frame.across + at.y * frame.up + met[line].to * frame.way;
-  }
-  if (tried > k_most_rims) found.blocked = std::max(found.blocked, met[blocked[k_most_rims]].depth);
+  std::vector<Met> met = met_on(grid);
+  for (const Met& one : met) held += one.depth > k_held ? 1 : 0;
   found.share = lines > 0 ? static_cast<double>(held) / static_cast<double>(lines) : 0.0;
+  // At a rim some line beside it, so far off, is met less.
+  for (int beside = 0; rim > 0.0 && held > 0 && beside < 9; ++beside) {
+    const glm::dvec2 shift = rim * glm::dvec2(beside % 3 - 1, beside / 3 - 1);
+    if (shift == glm::dvec2(0.0)) continue;
+    const std::vector<Met> there = met_on({grid.low + shift, grid.high + shift, grid.count});
+    for (std::size_t line = 0; line < met.size(); ++line)
+      met[line].depth = std::min(met[line].depth, there[line].depth);
+  }
+  const auto deepest = std::ranges::max_element(met, {}, &Met::depth);
+  if (deepest == met.end() || deepest->depth <= 0.0) return found;
+  const glm::dvec2 at = grid.at(static_cast<std::size_t>(deepest - met.begin()));
+  found.blocked = deepest->depth;
+  found.place = at.x * frame.across + at.y * frame.up + deepest->to * frame.way;
   return found;
 }
 

@@ -11,8 +11,7 @@
 
 #include "parting/halves/bodies.hpp"
 #include "parting/halves/depth_columns.hpp"
-#include "parting/halves/plane_mesh.hpp"
-#include "parting/halves/sheets.hpp"
+#include "parting/halves/plane_section.hpp"
 
 namespace moldlight {
 
@@ -67,33 +66,17 @@ class Cutter {
     own.push_back({a, to, from});
     other.push_back({to, b, c});
     other.push_back({to, c, from});
-    rim_.emplace_back(to, from);
+    rim_.push_back({to, from});
   }
 
   /// Puts the section on both sides.
   bool close() {
     if (rim_.empty()) return true;
-    const WayFrame frame = frame_along(half_.normal);
-    PlaneMesh plane(glm::dvec2(-4.0), glm::dvec2(4.0));
-    std::map<std::uint32_t, VertexIndex> vertex_of;
-    std::map<VertexIndex, std::uint32_t> point_of;
-    for (const auto& [edge, vertex] : crossings_) {
-      point_of[vertex] = plane.add_point(on_grid(glm::dvec2(frame.of(vertices_[vertex]))));
-      if (!vertex_of.try_emplace(point_of[vertex], vertex).second) return false;
-    }
-    for (const auto& [a, b] : rim_)
-      if (plane.add_segment(point_of[a], point_of[b], PlaneMesh::k_outline)) return false;
-    plane.find_inside();
-    for (const PlaneMesh::Triangle& triangle : plane.triangles()) {
-      if (!triangle.inside) continue;
-      std::array<VertexIndex, 3> facet{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto vertex = vertex_of.find(triangle.corners[k]);
-        if (vertex == vertex_of.end()) return false;
-        facet[k] = vertex->second;
-      }
-      inside_.push_back(facet);
-      outside_.push_back({facet[0], facet[2], facet[1]});
+    const auto section = section_facets(vertices_, rim_, frame_along(half_.normal), 1.0);
+    if (!section) return false;
+    for (const auto& [a, b, c] : *section) {
+      inside_.push_back({a, b, c});
+      outside_.push_back({a, c, b});
     }
     return check_body(vertices_, inside_).open_edges == 0 && check_body(vertices_, outside_).open_edges == 0;
   }
@@ -109,7 +92,7 @@ class Cutter {
   std::vector<glm::dvec3> vertices_;
   std::vector<double> heights_;  // of those of the solid
   std::map<std::pair<VertexIndex, VertexIndex>, VertexIndex> crossings_;
-  std::vector<std::pair<VertexIndex, VertexIndex>> rim_;
+  std::vector<DirectedEdge> rim_;
   Facets inside_, outside_;
 };
 

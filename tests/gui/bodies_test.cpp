@@ -224,18 +224,7 @@ TEST_F(Bodies, KeepDirectionAndDraft) {
 }
 
 TEST_F(Bodies, AreAtHandAtOnceIfThereAreAThousand) {
-  std::string text;
-  int vertices = 0;
-  for (int n = 0; n < 1000; ++n) {
-    const glm::dvec3 low(3 * (n % 10), 3 * (n / 10 % 10), 3 * (n / 100));
-    const auto corners = moldlight::test::box_corners(low, low + glm::dvec3(1 + n % 2));
-    text += fmt::format("o body_{}\n", n + 1);
-    for (const glm::dvec3& corner : corners)
-      text += fmt::format("v {} {} {}\n", corner.x, corner.y, corner.z);
-    for (std::size_t k = 0; k < corners.size(); k += 3, vertices += 3)
-      text += fmt::format("f {} {} {}\n", vertices + 1, vertices + 2, vertices + 3);
-  }
-  window.app().open(part.folder().write("thousand.obj", text));
+  window.app().open(part.folder().write("thousand.obj", moldlight::test::obj_of_boxes(1000)));
   wait();
   ASSERT_EQ(state().bodies.verdicts.size(), 1000U);
   click("body 2");

@@ -41,15 +41,28 @@ TEST_F(Help, TypingLeavesTheLinesThatHaveTheWords) {
   EXPECT_TRUE(noted("bookmark the direction")) << "whole again";
 }
 
-TEST(Tour, GoesThroughTheStepsOfTheLidInAMinuteAndNeverAgain) {
-  OffscreenOptions options = quick_options();
-  options.user.window.motion = options.user.window.quick_sweep = false;
-  options.shipped_parts = {(moldlight::test::asset_folder() / "parts" / "enclosure_lid.stl").string()};
-  OffscreenWindow window(options);
-  window.app().show_hints(true);
-  window.app().offer_tour();
-  window.wait_until_loaded();
-  window.wait_until_measured();
+/// At the first start, with the part on which the tour is given.
+class Tour : public ::testing::Test {
+ public:
+  Tour() {
+    window.app().show_hints(true);
+    window.app().offer_tour();
+    window.wait_until_loaded();
+    window.wait_until_measured();
+  }
+
+  OffscreenWindow window{first_start()};
+
+ private:
+  static OffscreenOptions first_start() {
+    OffscreenOptions options = quick_options();
+    options.user.window.motion = options.user.window.quick_sweep = false;
+    options.shipped_parts = {(moldlight::test::asset_folder() / "parts" / "enclosure_lid.stl").string()};
+    return options;
+  }
+};
+
+TEST_F(Tour, GoesThroughTheStepsOfTheLidInAMinuteAndNeverAgain) {
   ASSERT_TRUE(window.state().tour);
   EXPECT_TRUE(window.state().path.ends_with("enclosure_lid.stl"));
   std::vector<Step> steps;
@@ -68,15 +81,7 @@ TEST(Tour, GoesThroughTheStepsOfTheLidInAMinuteAndNeverAgain) {
   EXPECT_FALSE(window.state().tour) << "never again";
 }
 
-TEST(Tour, EndsForWhoGoesElsewhere) {
-  OffscreenOptions options = quick_options();
-  options.user.window.motion = options.user.window.quick_sweep = false;
-  options.shipped_parts = {(moldlight::test::asset_folder() / "parts" / "enclosure_lid.stl").string()};
-  OffscreenWindow window(options);
-  window.app().show_hints(true);
-  window.app().offer_tour();
-  window.wait_until_loaded();
-  window.wait_until_measured();
+TEST_F(Tour, EndsForWhoGoesElsewhere) {
   window.frames(3);
   ASSERT_TRUE(window.state().tour);
   window.press_key({.key = '6'});
@@ -85,7 +90,7 @@ TEST(Tour, EndsForWhoGoesElsewhere) {
   EXPECT_FALSE(window.state().tour);
 }
 
-TEST(Tour, IsSkipped) {
+TEST_F(Tour, IsSkipped) {
   OffscreenOptions options = quick_options();
   options.user.window.motion = options.user.window.quick_sweep = false;
   options.shipped_parts = {(moldlight::test::asset_folder() / "parts" / "enclosure_lid.stl").string()};

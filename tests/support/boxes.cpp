@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "mesh/weld.hpp"
 
 namespace moldlight::test {
@@ -19,6 +21,21 @@ std::vector<glm::dvec3> box_corners(const glm::dvec3& low, const glm::dvec3& hig
     for (const int place : {0, 1, 2, 0, 2, 3}) corners.push_back(corner(quad[place]));
   }
   return corners;
+}
+
+std::string obj_of_boxes(int count) {
+  std::string text;
+  int vertices = 0;
+  for (int n = 0; n < count; ++n) {
+    const glm::dvec3 low(3 * (n % 10), 3 * (n / 10 % 10), 3 * (n / 100));
+    const auto corners = box_corners(low, low + glm::dvec3(1 + n % 2));
+    text += fmt::format("o body_{}\n", n + 1);
+    for (const glm::dvec3& corner : corners)
+      text += fmt::format("v {} {} {}\n", corner.x, corner.y, corner.z);
+    for (std::size_t k = 0; k < corners.size(); k += 3, vertices += 3)
+      text += fmt::format("f {} {} {}\n", vertices + 1, vertices + 2, vertices + 3);
+  }
+  return text;
 }
 
 TriangleMesh box_mesh(const glm::dvec3& low, const glm::dvec3& high) {

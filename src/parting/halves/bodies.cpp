@@ -302,6 +302,34 @@ std::vector<std::vector<std::array<SheetVertex, 3>>> connected_bodies(
   return bodies;
 }
 
+bool has_corner(const std::vector<glm::dvec3>& vertices, const Facets& facets, const glm::dvec3& place,
+                double near) {
+  return std::ranges::any_of(facets, [&](const auto& facet) {
+    return std::ranges::any_of(facet,
+                               [&](SheetVertex v) { return glm::distance(vertices[v], place) < near; });
+  });
+}
+
+std::optional<TriangleMesh> half_with_bodies(Sheets sheets, const std::vector<Facets>& bodies, bool up,
+                                             const BodySheets& half, const BlockHeights& block) {
+  std::vector<std::uint8_t> its(sheets.vertices.size(), 0);
+  for (const Facets& body : bodies) {
+    for (const auto& facet : body) {
+      for (const SheetVertex v : facet) its[v] = 1;
+    }
+  }
+  for (SheetFacet& facet : sheets.facets) {
+    if (facet.sheet == Sheet::hidden &&
+        std::ranges::all_of(facet.corners, [&](SheetVertex v) { return its[v] != 0; }))
+      facet.sheet = up ? Sheet::upper : Sheet::lower;
+  }
+  Facets facets;
+  if (close_upright(sheets, half, facets)) return std::nullopt;
+  add_block(sheets, block, up, facets);
+  if (check_body(sheets.vertices, facets).open_edges > 0) return std::nullopt;
+  return body_mesh(sheets.vertices, facets);
+}
+
 std::vector<ContactWall> contact_walls(const Sheets& sheets, double tolerance) {
   const auto upper = Sheets::bit(Sheet::upper), lower = Sheets::bit(Sheet::lower),
              parting = Sheets::bit(Sheet::parting);

@@ -50,6 +50,17 @@ struct BodyCheck {
 [[nodiscard]] std::vector<std::vector<std::array<SheetVertex, 3>>> connected_bodies(
     std::size_t vertices, const std::vector<std::array<SheetVertex, 3>>& facets);
 
+/// Whether one of the facets' corners is nearer than that to a place.
+[[nodiscard]] bool has_corner(const std::vector<glm::dvec3>& vertices,
+                              const std::vector<std::array<SheetVertex, 3>>& facets, const glm::dvec3& place,
+                              double near);
+
+/// A half, with its block, that has these bodies of hidden sheets, too: what the sheets hide is its own.
+/// Nothing where it does not close.
+[[nodiscard]] std::optional<TriangleMesh> half_with_bodies(
+    Sheets sheets, const std::vector<std::vector<std::array<SheetVertex, 3>>>& bodies, bool up,
+    const BodySheets& half, const BlockHeights& block);
+
 /// Where the halves touch on upright surface, and how much.
 struct ContactWall {
   glm::dvec3 place{0.0};
