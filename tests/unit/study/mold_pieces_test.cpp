@@ -11,6 +11,7 @@
 
 #include "mesh/health.hpp"
 #include "parting/halves/depth_columns.hpp"
+#include "parting/make_halves.hpp"
 #include "parting/slide_blank.hpp"
 #include "study/study.hpp"
 #include "support/boxes.hpp"
@@ -192,6 +193,25 @@ TEST(MoldPieces, ALifterIsABarThroughTheCore) {
 
 TEST(MoldPieces, ALifterLeavesWhatStandsBehindItsWallToTheCore) {
   expect_lifters(box_with_catches({}, true), 1);
+}
+
+/// With the travel of a plan that drives it through the wall across it stays an insert.
+TEST(MoldPieces, ALifterWithThePartInItsWayIsNone) {
+  Study study = study_of(box_with_catches({36.0}, false));
+  const MoldLine& line = study.find<MoldLine>(Progress());
+  const MoldHalves& plain = study.find<MoldHalves>(Progress());
+  ActionPlan plan = study.find<ActionPlan>(Progress());
+  ASSERT_EQ(plan.actions.size(), 1U);
+  plan.actions[0].travel = 75.0;  // through it
+  const MeetingPlace place = meeting_place(line);
+  const MoldPieces pieces =
+      make_pieces({study.model(), plain, plan, *study.find<SplitRegions>(Progress()).result.split, place,
+                   study.questions().mold},
+                  Progress());
+  EXPECT_EQ(pieces.halves.count(PieceKind::lifter), 0U);
+  EXPECT_EQ(pieces.halves.count(PieceKind::insert), 1U);
+  ASSERT_EQ(pieces.unmade.size(), 1U);
+  EXPECT_EQ(pieces.unmade[0].why.find("the part stands in its way, near "), 0U) << pieces.unmade[0].why;
 }
 
 TEST(MoldPieces, AreListedWithTheirOrderAndTravel) {
