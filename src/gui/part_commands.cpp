@@ -66,7 +66,10 @@ void Commands::undo() { app.state_.settings = app.history_.undo(); }
 
 void Commands::redo() { app.state_.settings = app.history_.redo(); }
 
-void Commands::fit_view() { look_from(app.state_.camera.orientation); }
+void Commands::fit_view() {
+  // In a flight: where that one goes, else the part would be left half turned.
+  look_from(app.flight_.flying() ? app.fitted_->orientation : app.state_.camera.orientation);
+}
 
 void Commands::stop_opening() {
   if (app.opening_.moving(app.now_s_)) app.state_.settings.look.open_mold = app.opening_.at(app.now_s_);
