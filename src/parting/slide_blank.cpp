@@ -188,13 +188,17 @@ class BlankMaker {
     double low = 0.0, high = 0.0;
   };
 
-  /// From a knot of the storey's front to the block's side.
-  [[nodiscard]] std::array<glm::dvec3, 2> edge(const Storey& storey, std::size_t knot, bool top) const {
-    const bool outer = top ? above_ && storey.high == high_.y : below_ && storey.low == low_.y;
+  /// From the storey's front to a side of the block.
+  struct Edge {
+    glm::dvec3 start{0.0}, end{0.0};
+    int axis = 0;  // across the side
+  };
+
+  [[nodiscard]] Edge edge(const Storey& storey, std::size_t knot, bool top) const {
     const glm::dvec2 corner(storey.front.across(knot), top ? storey.high : storey.low);
     const double beside = 2.0 * (corner.x - low_.x) / (high_.x - low_.x) - 1.0;
     // place(s) = corner + slope · (s − from_)
-    const glm::dvec2 slope(beside * k_draft, !outer ? 0.0 : top ? k_draft : -k_draft);
+    const glm::dvec2 slope(beside * k_draft, this->slope(storey, top));
     const double s =
         (storey.front.at(corner) - from_ * storey.front.tilt * slope.y) / (1.0 - storey.front.tilt * slope.y);
     const auto in_mold = [&](double along) {
@@ -202,9 +206,32 @@ class BlankMaker {
       return place.x * frame_.across + place.y * frame_.up + along * frame_.way;
     };
     const glm::dvec3 start = in_mold(s), onward = in_mold(s + 1.0) - start;
-    glm::dvec3 end = start + (side_ - start[axis_]) / onward[axis_] * onward;
-    end[axis_] = side_;
-    return {start, end};
+    Edge edge{.start = start};
+    double least = INFINITY;
+    for (const int axis : {0, 1}) {
+      if (std::abs(onward[axis]) < 1e-9) continue;
+      const double side = (onward[axis] > 0.0 ? wish_.high : wish_.low)[axis];
+      const double way = (side - start[axis]) / onward[axis];
+      if (way >= least) continue;
+      least = way;
+      edge.axis = axis;
+      edge.end = start + way * onward;
+      edge.end[axis] = side;
+    }
+    return edge;
+  }
+
+  /// Where the storey's bottom or top meets an upright edge of the block.
+  [[nodiscard]] glm::dvec3 corner(const Storey& storey, bool top) const {
+    const glm::dvec2 at(frame_.way.x > 0.0 ? wish_.high.x : wish_.low.x,
+                        frame_.way.y > 0.0 ? wish_.high.y : wish_.low.y);
+    const double along = glm::dot(at, glm::dvec2(frame_.way)) - from_;
+    return {at, top ? storey.high + along * slope(storey, true) : storey.low + along * slope(storey, false)};
+  }
+  /// Of a storey's bottom or top along the way.
+  [[nodiscard]] double slope(const Storey& storey, bool top) const {
+    if (top) return above_ && storey.high == high_.y ? k_draft : 0.0;
+    return below_ && storey.low == low_.y ? -k_draft : 0.0;
   }
 
   bool build(const std::vector<double>& floors, std::size_t strips, const std::vector<FrontRange>& ranges,
@@ -225,10 +252,10 @@ class BlankMaker {
     }
     const glm::dvec2 place(0.5 * (low_.x + high_.x), 0.5 * (storeys[0].low + storeys[0].high));
     from_ = storeys[0].front.at(place);
-    choose_side(place.x * frame_.across + place.y * frame_.up + from_ * frame_.way);
     blank.mesh = {};
+    blank.sides = {};
     for (const Storey& storey : storeys) {
-      if (!add(storey, blank.mesh)) {
+      if (!add(storey, blank)) {
         blank.refusal = "it would leave the block at a corner";
         return false;
       }
@@ -238,51 +265,53 @@ class BlankMaker {
     return true;
   }
 
-  /// The block's side that is met first from a place along the way.
-  void choose_side(const glm::dvec3& place) {
-    double least = INFINITY;
-    for (const int axis : {0, 1}) {
-      if (std::abs(frame_.way[axis]) < 1e-9) continue;
-      const double side = frame_.way[axis] > 0.0 ? wish_.high[axis] : wish_.low[axis];
-      const double way = (side - place[axis]) / frame_.way[axis];
-      if (way >= least) continue;
-      least = way;
-      axis_ = axis;
-      side_ = side;
-    }
-  }
-
-  [[nodiscard]] bool add(const Storey& storey, TriangleMesh& mesh) const {
+  [[nodiscard]] bool add(const Storey& storey, SlideBlank& blank) const {
     const double room = 0.1 * wish_.land;
+    TriangleMesh& mesh = blank.mesh;
     const auto first = static_cast<VertexIndex>(mesh.vertices.size());
     const std::size_t knots = storey.front.knots.size();
+    std::vector<int> axes;  // by knot
     for (std::size_t knot = 0; knot < knots; ++knot) {
       for (const bool top : {false, true}) {
-        const auto [start, end] = edge(storey, knot, top);
-        const double beside = end[1 - axis_];
-        if ((end[axis_] - start[axis_]) * frame_.way[axis_] <= 0.0 || beside < wish_.low[1 - axis_] + room ||
-            beside > wish_.high[1 - axis_] - room)
+        const Edge edge = this->edge(storey, knot, top);
+        const int axis = edge.axis;
+        const double beside = edge.end[1 - axis];
+        if ((edge.end[axis] - edge.start[axis]) * frame_.way[axis] <= 0.0 ||
+            beside < wish_.low[1 - axis] + room || beside > wish_.high[1 - axis] - room)
           return false;
-        mesh.vertices.push_back(start);
-        mesh.vertices.push_back(end);
+        mesh.vertices.push_back(edge.start);
+        mesh.vertices.push_back(edge.end);
+        blank.sides[static_cast<std::size_t>(axis)] = edge.end[axis];
+        if (!top) axes.push_back(axis);
       }
     }
-    const auto quad = [&](VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex d) {
-      mesh.facets.push_back({first + a, first + b, first + c});
-      mesh.facets.push_back({first + a, first + c, first + d});
+    const auto face = [&](const std::vector<VertexIndex>& corners) {
+      for (std::size_t k = 2; k < corners.size(); ++k)
+        mesh.facets.push_back({first + corners[0], first + corners[k - 1], first + corners[k]});
     };
     // Four vertices a knot: bit 0 the end, bit 1 the top; seen against the way, the next knot is on the
     // right.
     for (std::size_t knot = 0; knot + 1 < knots; ++knot) {
       const auto k = static_cast<VertexIndex>(4 * knot), r = k + 4;
-      quad(k, k + 2, r + 2, r);          // front
-      quad(k + 1, r + 1, r + 3, k + 3);  // end
-      quad(k, r, r + 1, k + 1);          // bottom
-      quad(k + 2, k + 3, r + 3, r + 2);  // top
+      face({k, k + 2, r + 2, r});  // front
+      if (axes[knot] == axes[knot + 1]) {
+        face({k + 1, r + 1, r + 3, k + 3});  // end
+        face({k, r, r + 1, k + 1});          // bottom
+        face({k + 2, k + 3, r + 3, r + 2});  // top
+        continue;
+      }
+      // It leaves around an edge of the block.
+      const VertexIndex low = static_cast<VertexIndex>(mesh.vertices.size()) - first, high = low + 1;
+      mesh.vertices.push_back(corner(storey, false));
+      mesh.vertices.push_back(corner(storey, true));
+      face({k + 1, low, high, k + 3});
+      face({low, r + 1, r + 3, high});
+      face({low, k + 1, k, r, r + 1});
+      face({high, r + 3, r + 2, k + 2, k + 3});
     }
     const auto last = static_cast<VertexIndex>(4 * (knots - 1));
-    quad(0, 1, 3, 2);                          // left
-    quad(last, last + 2, last + 3, last + 1);  // right
+    face({0, 1, 3, 2});                          // left
+    face({last, last + 2, last + 3, last + 1});  // right
     return true;
   }
 
@@ -292,8 +321,6 @@ class BlankMaker {
   bool below_ = false, above_ = false;
   double formed_low_ = 0.0, formed_high_ = 0.0;  // heights of what it forms
   double from_ = 0.0;                            // along the way, where drafts begin
-  int axis_ = 0;
-  double side_ = 0.0;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // the block, drafted, square to its way.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -27,8 +28,10 @@ struct BlankWish {
 };
 
 struct SlideBlank {
-  TriangleMesh mesh;    // closed bodies, one on the other; their far ends lie in a side of the block
-  glm::dvec3 end{0.0};  // a corner of that end
+  TriangleMesh mesh;    // closed bodies, one on the other; their far ends lie in sides of the block
+  glm::dvec3 end{0.0};  // a corner of these ends
+  /// Where they lie: in one side, across x or y, or around an edge of the block in two.
+  std::array<std::optional<double>, 2> sides;
   std::string refusal;  // why there is none, a clause; empty where there is
 };
 [[nodiscard]] SlideBlank slide_blank(const BlankWish& wish);

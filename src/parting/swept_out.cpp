@@ -25,39 +25,38 @@ constexpr double k_most_lost = 5e-10;  // of the volume, in cubes of the diagona
 constexpr unsigned k_seen = Sheets::bit(Sheet::upper), k_end = Sheets::bit(Sheet::beside),
                    k_rest = Sheets::bit(Sheet::hidden) | Sheets::bit(Sheet::lower);
 
-/// Of the body, all but what lies in the blank's end, turned inside out: what is seen along the way from
+/// Of the body, all but what lies in the blank's ends, turned inside out: what is seen along the way from
 /// outside is what can leave along it.
 struct Hollow {
   TriangleMesh walls, end;
 };
 
-Hollow hollow_of(const TriangleMesh& body, const SlideBlank& blank, const glm::dvec3& way) {
-  // The end lies in a side of the block, across x or y.
-  const int axis = std::abs(way.x) > std::abs(way.y) ? 0 : 1;
-  int across = axis;
-  const auto lies_in = [&](const glm::dvec3& at, int side) {
-    return std::abs(at[side] - blank.end[side]) < k_in_end;
+Hollow hollow_of(const TriangleMesh& body, const SlideBlank& blank) {
+  const auto lies_in = [&](const glm::dvec3& at, std::size_t side) {
+    const auto& place = blank.sides[side];
+    return place && std::abs(at[static_cast<int>(side)] - *place) < k_in_end;
   };
-  glm::dvec3 low(INFINITY), high(-INFINITY);
-  std::array<std::size_t, 2> count{};
+  std::array<glm::dvec3, 2> low, high;
+  low.fill(glm::dvec3(INFINITY));
+  high.fill(glm::dvec3(-INFINITY));
   for (const glm::dvec3& vertex : blank.mesh.vertices) {
-    for (const int side : {0, 1}) count[static_cast<std::size_t>(side)] += lies_in(vertex, side) ? 1 : 0;
-  }
-  if (count[static_cast<std::size_t>(1 - axis)] > count[static_cast<std::size_t>(axis)]) across = 1 - axis;
-  for (const glm::dvec3& vertex : blank.mesh.vertices) {
-    if (!lies_in(vertex, across)) continue;
-    low = glm::min(low, vertex - k_in_end);
-    high = glm::max(high, vertex + k_in_end);
+    for (const std::size_t side : {0, 1}) {
+      if (!lies_in(vertex, side)) continue;
+      low[side] = glm::min(low[side], vertex - k_in_end);
+      high[side] = glm::max(high[side], vertex + k_in_end);
+    }
   }
   Hollow hollow;
   hollow.walls.vertices = hollow.end.vertices = body.vertices;
   for (const auto& [a, b, c] : body.facets) {
-    const bool in_end = std::ranges::all_of(std::array{a, b, c}, [&](VertexIndex corner) {
-      const glm::dvec3& at = body.vertices[corner];
-      return lies_in(at, across) && glm::all(glm::lessThanEqual(low, at)) &&
-             glm::all(glm::lessThanEqual(at, high));
-    });
-    if (in_end) {
+    const auto in_end = [&](std::size_t side) {
+      return std::ranges::all_of(std::array{a, b, c}, [&](VertexIndex corner) {
+        const glm::dvec3& at = body.vertices[corner];
+        return lies_in(at, side) && glm::all(glm::lessThanEqual(low[side], at)) &&
+               glm::all(glm::lessThanEqual(at, high[side]));
+      });
+    };
+    if (in_end(0) || in_end(1)) {
       hollow.end.facets.push_back({a, b, c});
     } else {
       hollow.walls.facets.push_back({a, c, b});
@@ -98,7 +97,7 @@ std::optional<TriangleMesh> closed_body(const Sheets& sheets, const BodySheets& 
 
 std::optional<SweptOut> swept_out(const TriangleMesh& body, const SlideBlank& blank, const glm::dvec3& way,
                                   const Progress& progress) {
-  const Hollow hollow = hollow_of(body, blank, way);
+  const Hollow hollow = hollow_of(body, blank);
   if (hollow.end.facets.empty()) return std::nullopt;
   const WayFrame axes = frame_along(way);
   const SheetFrame frame{

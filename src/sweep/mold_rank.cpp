@@ -108,13 +108,13 @@ std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) 
 double mold_effort(const MoldCost& cost) {
   constexpr double k_weight_of_rest = 4;  // more than any one side action
   const double rest = cost.of(unreleased) > k_least_left ? k_weight_of_rest : 0.0;
-  return rest + cost.weight - cost.in_vain + k_effort_of_formed * cost.formed +
-         effort_on_its_side(cost.formed) + k_effort_of_draft * cost.of(draft) +
-         std::min(k_most_of_line, cost.of(line));
+  return rest + cost.weight - cost.in_vain + k_effort_of_formed * cost.formed + cost.on_its_side +
+         k_effort_of_draft * cost.of(draft) + std::min(k_most_of_line, cost.of(line));
 }
 
-double effort_on_its_side(double formed) {
-  return k_effort_on_its_side * std::max(0.0, formed - k_on_its_side);
+double effort_on_its_side(double formed, double least_formed) {
+  const double usual = std::max(k_on_its_side, least_formed + k_beyond_the_least);
+  return k_effort_on_its_side * std::max(0.0, formed - usual);
 }
 
 double mold_band(MoldCriterion criterion, double least) {
@@ -130,7 +130,19 @@ bool costs_no_more(const MoldCost& one, const MoldCost& other) {
          (one.weight <= most || one.weight - one.in_vain <= most - other.in_vain);
 }
 
-void compare_found(std::span<MoldCost> costs) {
+void settle(std::span<MoldCost> costs) {
+  const auto left = [](const MoldCost& cost) { return cost.of(unreleased); };
+  const double least_left = costs.empty() ? 0.0 : left(*std::ranges::min_element(costs, {}, left));
+  double least_formed = 1.0;
+  for (const MoldCost& cost : costs) {
+    if (left(cost) <= least_left + mold_band(unreleased, least_left))
+      least_formed = std::min(least_formed, cost.formed);
+  }
+  for (MoldCost& cost : costs) {
+    const double before = cost.on_its_side;
+    cost.on_its_side = effort_on_its_side(cost.formed, least_formed);
+    cost.of(effort) += cost.on_its_side - before;
+  }
   constexpr double k_worth_a_tilt = 0.05;  // of the surface, where a part has to be changed
   const auto beats = [&](const MoldCost& other, const MoldCost& cost) {
     if (!other.canonical) return false;

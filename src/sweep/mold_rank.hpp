@@ -32,11 +32,12 @@ struct MoldCost {
   std::array<double, k_mold_criteria> values{};
   glm::dvec3 direction{0.0};  // unit
   bool canonical = false;
-  double weight = 0.0;    // of side actions
-  double in_vain = 0.0;   // of it, what does not count as effort
-  double formed = 0.0;    // by them, share of the part's surface
-  double beyond = 0.0;    // of what is unreleased what only more side actions than are built would release
-  ActionCounts counts{};  // of side actions
+  double weight = 0.0;       // of side actions
+  double in_vain = 0.0;      // of it, what does not count as effort
+  double formed = 0.0;       // by them, share of the part's surface
+  double on_its_side = 0.0;  // of the effort, see settle()
+  double beyond = 0.0;       // of what is unreleased what only more side actions than are built would release
+  ActionCounts counts{};     // of side actions
 
   [[nodiscard]] double of(MoldCriterion criterion) const {
     return values[static_cast<std::size_t>(criterion)];
@@ -47,8 +48,9 @@ struct MoldCost {
 /// Of the surface that side actions form, as a share: each fifth weighs as much as a slide.
 inline constexpr double k_effort_of_formed = 5.0;
 /// What a part that lies on its side in the mold leaves to them: of what is formed beyond a quarter of the
-/// surface each fortieth weighs as much as a slide.
-inline constexpr double k_on_its_side = 0.25, k_effort_on_its_side = 40.0;
+/// surface each fortieth weighs as much as a slide. A fifth of it more than in the direction that leaves them
+/// least is no such mold: bores that cross are formed by slides whichever way the part lies.
+inline constexpr double k_on_its_side = 0.25, k_beyond_the_least = 0.2, k_effort_on_its_side = 40.0;
 /// Of surface without draft, as a share: half of it weighs as much as a slide.
 inline constexpr double k_effort_of_draft = 2.0;
 /// Of the line's climb and steep steps: a diagonal weighs as much as a slide, and more than two diagonals no
@@ -61,8 +63,9 @@ inline constexpr double k_effort_of_found = 4.0;
 /// part lies on its side in the mold. Set the other figures before.
 [[nodiscard]] double mold_effort(const MoldCost& cost);
 
-/// What of it comes from lying on its side, for the share that side actions form.
-[[nodiscard]] double effort_on_its_side(double formed);
+/// What of it comes from lying on its side, for the share that side actions form and the least share that
+/// they form in another direction.
+[[nodiscard]] double effort_on_its_side(double formed, double least_formed);
 
 /// Figures that differ by less tie; beside the least of them, for what that leaves unreleased.
 [[nodiscard]] double mold_band(MoldCriterion criterion, double least = 0.0);
@@ -79,11 +82,12 @@ struct MoldOrder {
 };
 /// Within 10 degrees one direction lies beside another.
 inline constexpr double k_beside_deg = 10.0;
-/// Settles what is found beside what the shape names: a direction that it does not name, where one that it
-/// names costs no more, or where both leave surface unreleased, so that the part has to be changed, and that
-/// one not 5 % of the surface more; and one that it names, where another beside it, for which more of the
-/// surface speaks, costs no more.
-void compare_found(std::span<MoldCost> costs);
+/// Settles what depends on the others. Of the effort, what comes from lying on its side, beside the least
+/// that side actions form where no more is left unreleased. And what is found beside what the shape names: a
+/// direction that it does not name, where one that it names costs no more, or where both leave surface
+/// unreleased, so that the part has to be changed, and that one not 5 % of the surface more; and one that it
+/// names, where another beside it, for which more of the surface speaks, costs no more.
+void settle(std::span<MoldCost> costs);
 /// The first is what remains where, criterion by criterion, all go that are worse than the best left by more
 /// than the band; of what ties in all, the first given. The next is the first of the others, and so on.
 [[nodiscard]] MoldOrder mold_order(std::span<const MoldCost> costs);

@@ -73,8 +73,9 @@ ActionLimit MoldRanking::limit(const Contender& contender) const {
   const double band = mold_band(MoldCriterion::unreleased, left);
   // What is left unreleased is no more than what ties.
   const double formed = known.areas[Region::undercut] / area - left - band;
-  ActionLimit limit{.most = least_effort_ + mold_band(MoldCriterion::effort) -
-                            k_effort_of_draft * without_draft - effort_on_its_side(formed) -
+  const auto [least_effort, least_formed] = least_effort_and_formed();
+  ActionLimit limit{.most = least_effort + mold_band(MoldCriterion::effort) -
+                            k_effort_of_draft * without_draft - effort_on_its_side(formed, least_formed) -
                             (contender.canonical() ? 0.0 : k_effort_of_found),
                     .per_area = k_effort_of_formed / area,
                     .left = left * area,
@@ -107,7 +108,7 @@ void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
                         static_cast<double>(first) / static_cast<double>(open.size()));
     // The first sets a limit for others, but where it leaves something unreleased. It is the likeliest to be
     // the best, whose bodies are asked for in the end.
-    const bool leads = !std::isfinite(least_effort_) && first == 0;
+    const bool leads = costs_.empty() && first == 0;
     const auto batch = std::span(open).subspan(first, std::min(leads ? 1 : k_together, open.size() - first));
     first += batch.size();
     std::vector<glm::dvec3> directions;
@@ -145,20 +146,27 @@ void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
 
 void MoldRanking::take_down(const Contender& contender) {
   const double left = contender.cost->of(MoldCriterion::unreleased);
-  const double effort = contender.cost->of(MoldCriterion::effort);
   const double band = mold_band(MoldCriterion::unreleased);
   least_undercut_ = std::min(least_undercut_, contender.actions->undercuts.area);
-  if (left + mold_band(MoldCriterion::unreleased, left) < least_left_) {
-    least_left_ = left;
-    least_effort_ = effort;
-  } else if (left <= least_left_ + mold_band(MoldCriterion::unreleased, least_left_)) {
-    least_left_ = std::min(least_left_, left);
-    least_effort_ = std::min(least_effort_, effort);
-  }
+  least_left_ = std::min(least_left_, left);
+  costs_.push_back(*contender.cost);
   if (!contender.canonical()) return;
   const bool released = left - contender.cost->beyond <= band;
   known_.push_back({contender.candidate.direction, contender.actions->undercuts, released});
   free_ = free_ || (released && contender.cost->weight <= 0.0);
+}
+
+std::pair<double, double> MoldRanking::least_effort_and_formed() const {
+  std::vector<MoldCost> costs = costs_;
+  settle(costs);
+  double effort = std::numeric_limits<double>::infinity(), formed = 1.0;
+  for (const MoldCost& cost : costs) {
+    if (cost.of(MoldCriterion::unreleased) > least_left_ + mold_band(MoldCriterion::unreleased, least_left_))
+      continue;
+    effort = std::min(effort, cost.of(MoldCriterion::effort));
+    formed = std::min(formed, cost.formed);
+  }
+  return {effort, formed};
 }
 
 bool MoldRanking::found_leads(std::span<const Contender> named, std::span<const Contender> found) const {
@@ -168,7 +176,7 @@ bool MoldRanking::found_leads(std::span<const Contender> named, std::span<const 
       if (contender.cost) costs.push_back(*contender.cost);
     }
   }
-  compare_found(costs);
+  settle(costs);
   return !costs.empty() && !costs[mold_order(costs).order.front()].canonical;
 }
 
@@ -238,7 +246,7 @@ MoldRanking::Listed MoldRanking::listed(std::vector<Contender> contenders) const
   for (Contender& contender : contenders) (contender.cost ? known : rest).push_back(std::move(contender));
   std::vector<MoldCost> costs;
   for (const Contender& contender : known) costs.push_back(*contender.cost);
-  compare_found(costs);
+  settle(costs);
   for (std::size_t k = 0; k < known.size(); ++k) known[k].cost = costs[k];
   std::vector<Contender> ordered;
   for (const std::size_t i : mold_order(costs).order) ordered.push_back(std::move(known[i]));

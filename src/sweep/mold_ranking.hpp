@@ -63,6 +63,9 @@ class MoldRanking {
   /// Where its side actions are not worth looking for, beside what is known.
   [[nodiscard]] ActionLimit limit(const Contender& contender) const;
   void take_down(const Contender& contender);
+  /// Of the costs that were taken down: the least effort of those that leave no more than the best, but for
+  /// what ties, and the least share that side actions form there.
+  [[nodiscard]] std::pair<double, double> least_effort_and_formed() const;
   [[nodiscard]] bool is_worth(const Contender& found, const Contender& canonical) const;
   [[nodiscard]] double most_left(std::span<const Contender> contenders) const;
   [[nodiscard]] BesideDirection beside(const Contender& contender, const Contender& of) const;
@@ -71,10 +74,8 @@ class MoldRanking {
                                             const Contender& found) const;
 
   SweepTools& tools_;
-  /// Of the best so far: what it leaves unreleased, share of the surface, and the least effort of those that
-  /// leave no more, but for what ties.
-  double least_left_ = std::numeric_limits<double>::infinity();
-  double least_effort_ = std::numeric_limits<double>::infinity();
+  std::vector<MoldCost> costs_;                                      // that were taken down
+  double least_left_ = std::numeric_limits<double>::infinity();      // by one of them, share of the surface
   double least_undercut_ = std::numeric_limits<double>::infinity();  // area
   std::vector<Known> known_;
   bool free_ = false, best_alone_ = false;

@@ -3,6 +3,7 @@
 #include "parting/mold_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ranges>
 
@@ -110,6 +111,64 @@ TEST(MoldPieces, CrossingBoresAreTwoSlides) {
       EXPECT_LE(way_out(bodies[3 + k], bodies[other], way).blocked, slack) << k << other;
     }
   }
+}
+
+/// An open box with a corner cut off at 45 degrees, and a square window in the wall there.
+TriangleMesh box_with_corner_window() {
+  const test::Loop2 outer = {{12, 0}, {60, 0}, {60, 60}, {0, 60}, {0, 12}},
+                    inner = {{14, 3}, {57, 3}, {57, 57}, {3, 57}, {3, 14}};
+  constexpr double k_floor = 3.0, k_rim = 25.0;
+  test::SolidBuilder solid;
+  test::Loop under = test::at_height(outer, 0.0);
+  std::ranges::reverse(under);
+  solid.face(under);
+  solid.face(test::at_height(inner, k_floor));
+  solid.face(test::at_height(outer, k_rim), {test::at_height(inner, k_rim)});
+  // Across a wall from its middle, and up.
+  const auto wall = [&](const test::Loop2& plan, std::size_t k, double low, bool inward) {
+    const glm::dvec2 &a = plan[k], &b = plan[(k + 1) % plan.size()];
+    test::Loop face = {{a.x, a.y, low}, {b.x, b.y, low}, {b.x, b.y, k_rim}, {a.x, a.y, k_rim}};
+    if (inward) std::ranges::reverse(face);
+    return face;
+  };
+  const auto window = [](const test::Loop2& plan) {
+    const glm::dvec2 middle = 0.5 * (plan.front() + plan.back()), along = glm::dvec2(3, -3);
+    const auto at = [&](double side, double z) { return glm::dvec3(middle + side * along, z); };
+    return test::Loop{at(-1, 10), at(1, 10), at(1, 16), at(-1, 16)};
+  };
+  for (std::size_t k = 0; k < outer.size(); ++k) {
+    std::vector<test::Loop> outside, inside;
+    if (k + 1 == outer.size()) {
+      outside = {window(outer)};
+      inside = {window(inner)};
+    }
+    solid.face(wall(outer, k, 0.0, false), outside);
+    solid.face(wall(inner, k, k_floor, true), inside);
+  }
+  const test::Loop out = window(outer), in = window(inner);
+  for (std::size_t k = 0; k < 4; ++k) solid.face({out[k], out[(k + 1) % 4], in[(k + 1) % 4], in[k]});
+  return solid.mesh();
+}
+
+TEST(MoldPieces, ASlideMayLeaveAroundAnEdgeOfTheBlock) {
+  const TriangleMesh mesh = box_with_corner_window();
+  Study study = study_of(mesh);
+  const MoldPieces& pieces = study.find<MoldPieces>(Progress());
+  const MoldHalves& halves = pieces.halves;
+  ASSERT_EQ(halves.count(PieceKind::slide), 1U) << (pieces.unmade.empty() ? "" : pieces.unmade.front().why);
+  EXPECT_TRUE(halves.certified());
+  EXPECT_LE(std::abs(halves.volume_gap), 1e-9);
+  // It reaches both sides of the block.
+  const glm::dvec2 low = halves.block_low * halves.scale * study.model().frame.diagonal;
+  std::array<bool, 2> reached{};
+  for (const glm::dvec3& vertex : halves.inserts[0].mesh.vertices) {
+    for (const int axis : {0, 1})
+      reached[static_cast<std::size_t>(axis)] |= std::abs(vertex[axis] - low[axis]) < 1e-6;
+  }
+  EXPECT_TRUE(reached[0] && reached[1]);
+  std::vector<TriangleMesh> bodies = {mesh};
+  for (const WrittenBody& body : halves.written.bodies) bodies.push_back(body.mesh);
+  EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
 }
 
 /// An open box with catches inside its wall at y = 0, each 8 wide and 1.5 deep; and a post with one, behind
