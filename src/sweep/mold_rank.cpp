@@ -143,14 +143,18 @@ void settle(std::span<MoldCost> costs) {
     cost.on_its_side = effort_on_its_side(cost.formed, least_formed);
     cost.of(effort) += cost.on_its_side - before;
   }
-  constexpr double k_worth_a_tilt = 0.05;  // of the surface, where a part has to be changed
+  // Of the surface, where a part has to be changed; and where half of it speaks for the other direction.
+  constexpr double k_worth_a_tilt = 0.05, k_worth_a_clear_tilt = 0.2, k_clear = 0.5;
+  const auto worth = [&](const MoldCost& other) {
+    return other.of(support) <= 1.0 - k_clear ? k_worth_a_clear_tilt : k_worth_a_tilt;
+  };
   const auto beats = [&](const MoldCost& other, const MoldCost& cost) {
     if (!other.canonical) return false;
     if (cost.canonical)
       return other.of(support) < cost.of(support) - mold_band(support) &&
              line_angle_deg(other.direction, cost.direction) <= k_beside_deg && costs_no_more(other, cost);
     return costs_no_more(other, cost) || (cost.of(unreleased) > mold_band(unreleased) &&
-                                          other.of(unreleased) <= cost.of(unreleased) + k_worth_a_tilt);
+                                          other.of(unreleased) <= cost.of(unreleased) + worth(other));
   };
   for (MoldCost& cost : costs) {
     const bool beaten = std::ranges::any_of(costs, [&](const MoldCost& other) { return beats(other, cost); });

@@ -85,7 +85,8 @@ inline constexpr double k_beside_deg = 10.0;
 /// Settles what depends on the others. Of the effort, what comes from lying on its side, beside the least
 /// that side actions form where no more is left unreleased. And what is found beside what the shape names: a
 /// direction that it does not name, where one that it names costs no more, or where both leave surface
-/// unreleased, so that the part has to be changed, and that one not 5 % of the surface more; and one that it
+/// unreleased, so that the part has to be changed, and that one not 5 % of the surface more, or 20 % where
+/// half of the surface speaks for it; and one that it
 /// names, where another beside it, for which more of the surface speaks, costs no more.
 void settle(std::span<MoldCost> costs);
 /// The first is what remains where, criterion by criterion, all go that are worse than the best left by more

@@ -97,7 +97,7 @@ TEST(MoldRank, AddsToTheWeightWhatSideActionsFormAndDraftAndLine) {
 }
 
 MoldCost of_weight(double weight, bool canonical, double left = 0.0) {
-  MoldCost made = cost({{unreleased, left}, {effort, weight}});
+  MoldCost made = cost({{unreleased, left}, {effort, weight}, {support, 1.0}});
   made.weight = weight;
   made.canonical = canonical;
   return made;
@@ -157,6 +157,12 @@ TEST(MoldRank, APartThatHasToBeChangedIsNotTilted) {
   costs[1].of(unreleased) = 0.11;
   settle(costs);
   EXPECT_EQ(order(costs), (Numbers{0, 1})) << "more than a twentieth of the surface";
+  costs[1].of(support) = 0.4;
+  settle(costs);
+  EXPECT_EQ(order(costs), (Numbers{1, 0})) << "most walls follow it";
+  costs[1].of(unreleased) = 0.26;
+  settle(costs);
+  EXPECT_EQ(order(costs), (Numbers{0, 1})) << "more than a fifth of the surface";
   costs = {of_weight(1.0, false, 0.0), of_weight(3.0, true, 0.04)};
   settle(costs);
   EXPECT_EQ(order(costs), (Numbers{0, 1})) << "it releases everything";
