@@ -30,8 +30,10 @@ std::string side_actions_text(const PartModel& model, const SweepCandidate& cand
   if (!candidate.actions) return {};
   const double left = candidate.actions->totals.unreleased_area;
   if (left <= 0.0) return candidate.actions->text();
-  return fmt::format("{}; {} {} unreleased", candidate.actions->text(),
-                     FigureColumn(model.geometry.total_area).text(left), powered_unit(model.part, 2));
+  const std::string area =
+      fmt::format("{} {}", FigureColumn(model.geometry.total_area).text(left), powered_unit(model.part, 2));
+  if (candidate.actions->weight <= 0.0) return "nothing releases " + area;
+  return fmt::format("{}; {} unreleased", candidate.actions->text(), area);
 }
 
 std::string mold_text(const PartModel& model, const SweepCandidate& candidate) {
