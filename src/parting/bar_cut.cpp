@@ -1,8 +1,11 @@
 #include "parting/bar_cut.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -20,7 +23,10 @@ using Facets = std::vector<std::array<VertexIndex, 3>>;
 class BarCutter {
  public:
   BarCutter(const TriangleMesh& solid, const BarRoom& room, double size)
-      : room_(room), size_(size), tolerance_(1e-10 * size) {
+      : room_(room), planes_(room.sides), size_(size), tolerance_(1e-10 * size) {
+    if (room.end) planes_.push_back(*room.end);
+    rims_.resize(planes_.size());
+    joints_.resize(planes_.size());
     mesh_.vertices = solid.vertices;
     for (FacetIndex facet = 0; facet < solid.facets.size(); ++facet)
       mesh_.pieces.push_back({.corners = solid.facets[facet], .facet = facet});
@@ -28,44 +34,92 @@ class BarCutter {
 
   std::optional<BarCut> run() {
     cut_along_sides();
+    weld();
     Facets inside, outside;
     for (const SplitPiece& piece : mesh_.pieces)
       (is_inside(piece) ? inside : outside).push_back(piece.corners);
-    if (!find_rims(inside) || !join_along_edges()) return std::nullopt;
-    for (std::size_t side = 0; side < room_.sides.size(); ++side) {
-      if (!add_wall(side, inside, outside)) return std::nullopt;
+    if (!find_rims(inside) || !join_along_edges() || !join_at_end()) return std::nullopt;
+    for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
+      if (!add_wall(plane, inside, outside)) return std::nullopt;
     }
     return BarCut{body_mesh(mesh_.vertices, inside), body_mesh(mesh_.vertices, outside)};
   }
 
  private:
-  [[nodiscard]] double off(VertexIndex vertex, std::size_t side) const {
-    return beyond(mesh_.vertices[vertex], room_.sides[side]);
+  [[nodiscard]] double off(VertexIndex vertex, std::size_t plane) const {
+    return beyond(mesh_.vertices[vertex], planes_[plane]);
   }
-  [[nodiscard]] bool lies_in(VertexIndex vertex, std::size_t side) const {
-    constexpr double k_rounding = 4.0;
-    return std::abs(off(vertex, side)) <= k_rounding * tolerance_;
+  [[nodiscard]] bool lies_in(VertexIndex vertex, std::size_t plane) const {
+    constexpr double k_rounding = 16.0;
+    return std::abs(off(vertex, plane)) <= k_rounding * tolerance_;
   }
 
-  /// Only what may be in the bar is cut at its sides.
+  /// Only what may be in the bar is cut at its sides: at its end first, then at sides far from each other, so
+  /// that little is left for the next.
   void cut_along_sides() {
-    for (std::size_t side = 0; side < room_.sides.size(); ++side) {
+    const std::size_t sides = room_.sides.size();
+    std::vector<std::size_t> order;
+    if (room_.end) order.push_back(sides);
+    for (std::size_t step = std::bit_ceil(sides); step > 0; step /= 2) {
+      for (std::size_t side = 0; side < sides; side += step) {
+        if (std::ranges::find(order, side) == order.end()) order.push_back(side);
+      }
+    }
+    for (const std::size_t side : order) {
       std::vector<std::uint8_t> near;
       for (const SplitPiece& piece : mesh_.pieces) {
         bool may_be = true;
-        for (std::size_t other = 0; other < room_.sides.size(); ++other)
+        for (std::size_t other = 0; other < planes_.size(); ++other)
           may_be = may_be && std::ranges::any_of(piece.corners, [&](VertexIndex corner) {
                      return off(corner, other) < -tolerance_;
                    });
         near.push_back(may_be ? 1 : 0);
       }
-      const HalfSpace& half = room_.sides[side];
+      const HalfSpace& half = planes_[side];
       cut_at_height(mesh_, near, {.direction = half.normal, .height = half.offset, .tolerance = tolerance_});
     }
   }
 
+  /// Vertices that are one for the walls are one, the one that lies in most planes.
+  void weld() {
+    const double near = 10.0 * tolerance_;
+    std::vector<VertexIndex> order(mesh_.vertices.size());
+    std::iota(order.begin(), order.end(), VertexIndex{0});
+    std::ranges::sort(order, {},
+                      [&](VertexIndex vertex) { return std::pair(mesh_.vertices[vertex].x, vertex); });
+    const auto planes_of = [&](VertexIndex vertex) {
+      std::size_t count = 0;
+      for (std::size_t plane = 0; plane < planes_.size(); ++plane) count += lies_in(vertex, plane) ? 1 : 0;
+      return count;
+    };
+    std::vector<VertexIndex> stands_for(mesh_.vertices.size());
+    std::iota(stands_for.begin(), stands_for.end(), VertexIndex{0});
+    const auto root = [&](VertexIndex vertex) {
+      while (stands_for[vertex] != vertex) vertex = stands_for[vertex];
+      return vertex;
+    };
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      for (std::size_t other = k + 1; other < order.size(); ++other) {
+        const glm::dvec3 &a = mesh_.vertices[order[k]], &b = mesh_.vertices[order[other]];
+        if (b.x - a.x > near) break;
+        if (glm::length(b - a) > near) continue;
+        const VertexIndex one = root(order[k]), two = root(order[other]);
+        if (one == two) continue;
+        const bool first = std::pair(planes_of(two), one) <= std::pair(planes_of(one), two);
+        stands_for[first ? two : one] = first ? one : two;
+      }
+    }
+    for (SplitPiece& piece : mesh_.pieces) {
+      for (VertexIndex& corner : piece.corners) corner = root(corner);
+    }
+    std::erase_if(mesh_.pieces, [](const SplitPiece& piece) {
+      const auto& [a, b, c] = piece.corners;
+      return a == b || b == c || c == a;
+    });
+  }
+
   [[nodiscard]] bool is_inside(const SplitPiece& piece) const {
-    for (std::size_t side = 0; side < room_.sides.size(); ++side) {
+    for (std::size_t side = 0; side < planes_.size(); ++side) {
       if (std::ranges::any_of(piece.corners, [&](VertexIndex corner) {
             return off(corner, side) > tolerance_ && !lies_in(corner, side);
           }))
@@ -86,7 +140,7 @@ class BarCutter {
     for (const auto& [edge, count] : uses) {
       if (count == 0) continue;
       std::vector<std::size_t> in;
-      for (std::size_t side = 0; side < room_.sides.size(); ++side) {
+      for (std::size_t side = 0; side < planes_.size(); ++side) {
         if (lies_in(edge[0], side) && lies_in(edge[1], side)) in.push_back(side);
       }
       if (in.size() != 1 || std::abs(count) != 1) return false;
@@ -110,17 +164,66 @@ class BarCutter {
       }
       std::ranges::sort(pierced, {},
                         [&](VertexIndex vertex) { return glm::dot(mesh_.vertices[vertex], room_.along); });
-      if (pierced.size() % 2 != 0) return false;
+      // The bar's end is in the solid there: a corner of it.
+      if (pierced.size() % 2 != 0) {
+        if (!add_corner(side, next)) return false;
+        pierced.insert(pierced.begin(), corners_.at(side));
+      }
       for (std::size_t k = 0; k < pierced.size(); k += 2) {
         const VertexIndex low = pierced[k], high = pierced[k + 1];
-        const auto other_low = others.find(low), other_high = others.find(high);
-        if (other_low == others.end() || other_high == others.end() || ends.at(low) != -ends.at(high) ||
-            std::abs(ends.at(low)) != 1 || other_low->second != -ends.at(low) ||
-            other_high->second != -ends.at(high))
+        const auto sign_at = [&](const std::map<VertexIndex, int>& of, VertexIndex vertex) {
+          const auto found = of.find(vertex);
+          return found == of.end() ? 0 : found->second;
+        };
+        const bool from_corner = k == 0 && is_corner(side, low);
+        const int below = from_corner ? -sign_at(ends, high) : sign_at(ends, low);
+        if (sign_at(ends, high) != -below || std::abs(below) != 1 ||
+            (!from_corner && sign_at(others, low) != -below) || sign_at(others, high) != below)
           return false;
         const DirectedEdge up{low, high}, down{high, low};
-        joints_[side].push_back(ends.at(low) < 0 ? up : down);
-        joints_[next].push_back(ends.at(low) < 0 ? down : up);
+        joints_[side].push_back(below < 0 ? up : down);
+        joints_[next].push_back(below < 0 ? down : up);
+      }
+    }
+    return true;
+  }
+
+  bool add_corner(std::size_t side, std::size_t next) {
+    if (!room_.end) return false;
+    const HalfSpace &a = planes_[side], &b = planes_[next], &end = *room_.end;
+    const glm::dvec3 across = glm::cross(b.normal, end.normal);
+    corners_[side] = static_cast<VertexIndex>(mesh_.vertices.size());
+    mesh_.vertices.push_back((a.offset * across + b.offset * glm::cross(end.normal, a.normal) +
+                              end.offset * glm::cross(a.normal, b.normal)) /
+                             glm::dot(a.normal, across));
+    return true;
+  }
+  [[nodiscard]] bool is_corner(std::size_t side, VertexIndex vertex) const {
+    const auto corner = corners_.find(side);
+    return corner != corners_.end() && corner->second == vertex;
+  }
+
+  /// The end's wall is bounded by the sides, as far as the solid is there.
+  bool join_at_end() {
+    if (!room_.end) return true;
+    const std::size_t end = room_.sides.size(), count = end;
+    const std::map<VertexIndex, int> ends = rim_ends(end);
+    for (std::size_t side = 0; side < count; ++side) {
+      std::vector<VertexIndex> on_line;
+      for (const auto& [vertex, sign] : ends) {
+        if (sign != 0 && lies_in(vertex, side)) on_line.push_back(vertex);
+      }
+      for (const std::size_t corner : {(side + count - 1) % count, side}) {
+        if (corners_.contains(corner)) on_line.push_back(corners_.at(corner));
+      }
+      if (on_line.size() % 2 != 0) return false;
+      // With the solid on the left, seen against the end's normal.
+      const glm::dvec3 along = glm::cross(-planes_[side].normal, planes_[end].normal);
+      std::ranges::sort(on_line, {},
+                        [&](VertexIndex vertex) { return glm::dot(mesh_.vertices[vertex], along); });
+      for (std::size_t k = 0; k < on_line.size(); k += 2) {
+        joints_[end].push_back({on_line[k], on_line[k + 1]});
+        joints_[side].push_back({on_line[k + 1], on_line[k]});
       }
     }
     return true;
@@ -141,8 +244,9 @@ class BarCutter {
     std::vector<DirectedEdge> edges = rims_[side];
     edges.insert(edges.end(), joints_[side].begin(), joints_[side].end());
     if (edges.empty()) return true;
-    const glm::dvec3& normal = room_.sides[side].normal;
-    const glm::dvec3 along = glm::normalize(room_.along - glm::dot(room_.along, normal) * normal);
+    const glm::dvec3& normal = planes_[side].normal;
+    const glm::dvec3& along_wall = side < room_.sides.size() ? room_.along : planes_.front().normal;
+    const glm::dvec3 along = glm::normalize(along_wall - glm::dot(along_wall, normal) * normal);
     const auto wall =
         section_facets(mesh_.vertices, edges, {along, glm::cross(normal, along), normal}, size_);
     if (!wall) return false;
@@ -154,9 +258,11 @@ class BarCutter {
   }
 
   const BarRoom& room_;
+  std::vector<HalfSpace> planes_;  // its sides, then its end
   double size_, tolerance_;
   SplitMesh mesh_;
-  std::array<std::vector<DirectedEdge>, 4> rims_, joints_;
+  std::vector<std::vector<DirectedEdge>> rims_, joints_;  // by plane
+  std::map<std::size_t, VertexIndex> corners_;            // of the end in the solid, by the side before them
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
-// Takes a straight bar out of a closed solid, as a lifter is taken out of its half.
+// Takes a straight bar out of a closed solid, as a lifter or a pin is taken out of its half.
 #pragma once
 
-#include <array>
 #include <optional>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -11,10 +11,11 @@
 
 namespace moldlight {
 
-/// What lies within four planes, without ends.
+/// What lies within planes, without an end at `along`, and with one or none at the other side.
 struct BarRoom {
-  glm::dvec3 along{0, 0, 1};         // unit, about
-  std::array<HalfSpace, 4> sides{};  // each beside those before and after it
+  glm::dvec3 along{0, 0, 1};          // unit, about
+  std::vector<HalfSpace> sides;       // three or more, each beside those before and after it
+  std::optional<HalfSpace> end = {};  // beside all of them
 };
 
 /// Closed, without flaw where the solid is: the walls between them are in both, facing away from each other.

@@ -14,6 +14,7 @@
 #include "parting/lifter_bars.hpp"
 #include "parting/make_halves.hpp"
 #include "parting/mold_files.hpp"
+#include "parting/pin_bars.hpp"
 #include "parting/plain_mold.hpp"
 #include "parting/slide_blank.hpp"
 #include "parting/swept_out.hpp"
@@ -62,9 +63,9 @@ class PieceMaker {
       if (!again) bars_.give_up(why);
       if (again) made = std::move(again);
     }
-    MoldPieces pieces{.halves = made ? std::move(*made) : plain_.wish.plain,
-                      .of_inserts = {},
-                      .unmade = std::move(unmade_)};
+    MoldPieces pieces{.halves = made ? std::move(*made) : plain_.wish.plain, .of_inserts = {}, .unmade = {}};
+    put_pins(pieces.halves);
+    pieces.unmade = std::move(unmade_);
     for (MoldBody& body : pieces.halves.inserts) {
       if (!body.blanks.empty()) body.action = blanks_[body.blanks.front()].action;
     }
@@ -78,6 +79,51 @@ class PieceMaker {
   }
 
  private:
+  /// Slides that could not be made as blocks are pins, where they are straight.
+  void put_pins(MoldHalves& halves) {
+    if (!halves.made()) return;
+    std::vector<UnmadeAction> left;
+    for (UnmadeAction& unmade : unmade_) {
+      const SideAction& action = plain_.wish.plan.actions[unmade.action];
+      std::optional<BarRoom> room;
+      if (is_slide(action.kind)) room = pin_of(unmade.action);
+      const std::string why = room ? put_pin(plain_, unmade.action, *room, halves, progress_) : "no pin";
+      if (!why.empty()) left.push_back(std::move(unmade));
+    }
+    unmade_ = std::move(left);
+  }
+
+  [[nodiscard]] std::optional<BarRoom> pin_of(std::size_t number) const {
+    const glm::dvec3 way = plain_.wish.plain.frame.to_mold(plain_.wish.plan.actions[number].direction);
+    PinWish wish{.inserts = {},
+                 .formed = {},
+                 .way = std::abs(way.z) > k_inclined ? glm::normalize(way) : plain_.way_of(number),
+                 .land = plain_.wish.plain.land / plain_.wish.model.frame.diagonal};
+    bool alone = true;
+    forming(number, wish.inserts, alone);
+    wish.formed = formed_by(number, wish.inserts, alone);
+    return wish.formed.empty() ? std::nullopt : pin_room(plain_.part, wish);
+  }
+
+  /// The bodies between the halves without slides that it forms something of, and whether nothing else does.
+  void forming(std::size_t number, std::vector<const TriangleMesh*>& inserts, bool& alone) const {
+    for (std::size_t k = 0; k < plain_.of_inserts.size(); ++k) {
+      const InsertActions& of = plain_.of_inserts[k];
+      if (std::ranges::find(of.actions, number) == of.actions.end()) continue;
+      inserts.push_back(&plain_.inserts[k]);
+      alone = alone && of.actions.size() == 1 && of.unreleased == 0;
+    }
+  }
+  [[nodiscard]] std::vector<glm::dvec3> formed_by(std::size_t number,
+                                                  const std::vector<const TriangleMesh*>& inserts,
+                                                  bool alone) const {
+    if (!alone) return plain_.released_by(number);
+    std::vector<glm::dvec3> formed;
+    for (const TriangleMesh* insert : inserts)
+      formed.insert(formed.end(), insert->vertices.begin(), insert->vertices.end());
+    return formed;
+  }
+
   /// With this share of the usual land around what the action forms.
   [[nodiscard]] SlideBlank blank_of(std::size_t number, double land) const {
     const auto refused = [](std::string why) {
@@ -90,20 +136,9 @@ class PieceMaker {
       return refused("it moves at an angle to the plane across the direction");
     std::vector<const TriangleMesh*> inserts;
     bool alone = true;
-    for (std::size_t k = 0; k < plain_.of_inserts.size(); ++k) {
-      const InsertActions& of = plain_.of_inserts[k];
-      if (std::ranges::find(of.actions, number) == of.actions.end()) continue;
-      inserts.push_back(&plain_.inserts[k]);
-      alone = alone && of.actions.size() == 1 && of.unreleased == 0;
-    }
+    forming(number, inserts, alone);
     if (inserts.empty()) return refused("no body between the halves is its own");
-    std::vector<glm::dvec3> formed;
-    if (alone) {
-      for (const TriangleMesh* insert : inserts)
-        formed.insert(formed.end(), insert->vertices.begin(), insert->vertices.end());
-    } else {
-      formed = plain_.released_by(number);
-    }
+    const std::vector<glm::dvec3> formed = formed_by(number, inserts, alone);
     const double middle = glm::dot(plain_.wish.plain.centre, plain_.wish.plain.frame.z);
     const double diagonal = plain_.wish.model.frame.diagonal;
     return slide_blank({.part = plain_.part,

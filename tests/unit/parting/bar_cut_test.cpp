@@ -10,6 +10,7 @@
 #include "parting/halves/bodies.hpp"
 #include "support/boxes.hpp"
 #include "support/curved_solids.hpp"
+#include "support/solid_builder.hpp"
 
 namespace moldlight {
 namespace {
@@ -47,6 +48,45 @@ TEST(BarCut, TakesWhatOfTheBarIsInTheBlock) {
   const auto cut = cut_by_bar(block, bar({8, 3}, {9, 5}, 0.5), 10.0);
   ASSERT_TRUE(cut);
   expect_divided(block, *cut, 2.0 * (2.0 + 0.5 * 2.0));
+}
+
+TEST(BarCut, EndsInTheSolid) {
+  const TriangleMesh block = test::box_mesh({0, 0, 0}, {10, 8, 6});
+  BarRoom room = bar({2, 3}, {4, 5}, 0.3);
+  room.end = HalfSpace{{0, 0, -1}, -2.0};
+  const auto cut = cut_by_bar(block, room, 10.0);
+  ASSERT_TRUE(cut);
+  expect_divided(block, *cut, 2.0 * 2.0 * 4.0);
+}
+
+TEST(BarCut, EndsWhereTheSolidIsInPart) {
+  // Its end is over the step of an L, half in the material.
+  test::SolidBuilder solid;
+  solid.extrude({{0, 0}, {10, 0}, {10, 3}, {3, 3}, {3, 6}, {0, 6}}, {}, 8.0);
+  const TriangleMesh step = solid.mesh();
+  BarRoom room = bar({2, 3}, {4, 5}, 0.0);
+  room.end = HalfSpace{{0, 0, -1}, -4.0};
+  const auto cut = cut_by_bar(step, room, 10.0);
+  ASSERT_TRUE(cut);
+  expect_divided(step, *cut, 1.0 * 2.0 * 2.0);
+  room.end = HalfSpace{{0, 0, -1}, -2.0};
+  const auto deeper = cut_by_bar(step, room, 10.0);
+  ASSERT_TRUE(deeper);
+  expect_divided(step, *deeper, 2.0 * 2.0 * 1.0 + 1.0 * 2.0 * 3.0);
+}
+
+TEST(BarCut, TakesAPinOfManySides) {
+  const TriangleMesh block = test::box_mesh({0, 0, 0}, {10, 8, 6});
+  BarRoom room{.along = {0, 0, 1}, .sides = {}, .end = HalfSpace{{0, 0, -1}, -1.0}};
+  constexpr int k_sides = 24;
+  for (int k = 0; k < k_sides; ++k) {
+    const double angle = 2.0 * M_PI * k / k_sides;
+    const glm::dvec3 normal(std::cos(angle), std::sin(angle), 0.0);
+    room.sides.push_back({normal, 2.0 + glm::dot(normal, glm::dvec3(5, 4, 0))});
+  }
+  const auto cut = cut_by_bar(block, room, 10.0);
+  ASSERT_TRUE(cut);
+  expect_divided(block, *cut, k_sides * 4.0 * std::tan(M_PI / k_sides) * 5.0);
 }
 
 TEST(BarCut, LeavesASolidThatItMisses) {

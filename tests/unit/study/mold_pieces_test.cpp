@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mesh/health.hpp"
+#include "parting/halves/bodies.hpp"
 #include "parting/halves/depth_columns.hpp"
 #include "parting/make_halves.hpp"
 #include "parting/slide_blank.hpp"
@@ -169,6 +170,70 @@ TEST(MoldPieces, ASlideMayLeaveAroundAnEdgeOfTheBlock) {
   std::vector<TriangleMesh> bodies = {mesh};
   for (const WrittenBody& body : halves.written.bodies) bodies.push_back(body.mesh);
   EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
+}
+
+/// A plate with three ears and a square hole through all of them.
+TriangleMesh hinge_leaf() {
+  const test::Loop2 comb = {{0, 0},   {60, 0},  {60, 5}, {58, 5}, {58, 24}, {50, 24}, {50, 5}, {34, 5},
+                            {34, 24}, {26, 24}, {26, 5}, {10, 5}, {10, 24}, {2, 24},  {2, 5},  {0, 5}};
+  constexpr double k_depth = 30.0;
+  test::SolidBuilder solid;
+  test::Loop front, back;
+  for (const glm::dvec2& p : comb) {
+    front.emplace_back(p.x, 0.0, p.y);
+    back.insert(back.begin(), {p.x, k_depth, p.y});
+  }
+  solid.face(front);
+  solid.face(back);
+  const auto hole = [](double x) { return test::Loop{{x, 10, 12}, {x, 20, 12}, {x, 20, 18}, {x, 10, 18}}; };
+  for (std::size_t k = 0; k < comb.size(); ++k) {
+    const glm::dvec2 &a = comb[k], &b = comb[(k + 1) % comb.size()];
+    std::vector<test::Loop> holes;
+    if (a.x == b.x && std::max(a.y, b.y) > 20.0) holes = {hole(a.x)};
+    solid.face({{a.x, 0, a.y}, {a.x, k_depth, a.y}, {b.x, k_depth, b.y}, {b.x, 0, b.y}}, holes);
+  }
+  for (const double x : {2.0, 26.0, 50.0}) {
+    const test::Loop left = hole(x), right = hole(x + 8.0);
+    for (std::size_t k = 0; k < 4; ++k)
+      solid.face({right[k], right[(k + 1) % 4], left[(k + 1) % 4], left[k]});
+  }
+  return solid.mesh();
+}
+
+TEST(MoldPieces, PinsPassThroughTheSteelInTheGapsOfAHinge) {
+  const TriangleMesh mesh = hinge_leaf();
+  Study study = study_of(mesh);
+  const MoldPieces& pieces = study.find<MoldPieces>(Progress());
+  const MoldHalves& halves = pieces.halves;
+  ASSERT_EQ(halves.count(PieceKind::slide), 2U) << (pieces.unmade.empty() ? "" : pieces.unmade.front().why);
+  EXPECT_TRUE(pieces.unmade.empty());
+  EXPECT_TRUE(halves.certified());
+  ASSERT_EQ(halves.inserts.size(), 2U);
+  double volume = halves.part_volume;
+  std::vector<TriangleMesh> bodies = {mesh};
+  for (const WrittenBody& body : halves.written.bodies) {
+    EXPECT_TRUE(body.closed) << body.name;
+    volume += body.volume;
+    bodies.push_back(body.mesh);
+  }
+  EXPECT_NEAR(volume / halves.block_volume, 1.0, 1e-9);
+  EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
+  // Each is one body and leaves past all others; one ends in a gap, where the other way steel holds it.
+  const double diagonal = study.model().frame.diagonal;
+  std::size_t held = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const TriangleMesh& slide = bodies[3 + k];
+    EXPECT_EQ(connected_bodies(slide.vertices.size(), slide.facets).size(), 1U);
+    const glm::dvec3 way = study.find<ActionPlan>(Progress()).actions[halves.inserts[k].action].direction;
+    double against = 0.0;
+    for (std::size_t other = 0; other < bodies.size(); ++other) {
+      if (other == 3 + k) continue;
+      EXPECT_LE(way_out(slide, bodies[other], way).blocked, diagonal / 2048.0) << k << other;
+      if (other == 1 || other == 2) against = std::max(against, way_out(slide, bodies[other], -way).blocked);
+    }
+    held += against > 0.01 * diagonal ? 1 : 0;
+  }
+  EXPECT_GE(held, 1U);
 }
 
 /// An open box with catches inside its wall at y = 0, each 8 wide and 1.5 deep; and a post with one, behind
