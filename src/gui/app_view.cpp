@@ -9,6 +9,7 @@
 #include "gui/app.hpp"
 #include "gui/view/mold_view.hpp"
 #include "gui/view/side_actions.hpp"
+#include "render/shown_points.hpp"
 
 namespace moldlight::gui {
 

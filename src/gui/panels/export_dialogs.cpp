@@ -42,9 +42,9 @@ bool PathDialog::draw(const Ui& ui, const Form& form, const std::function<Ready(
     std::snprintf(path_.data(), path_.size(), "%s", proposed_.c_str());
   }
   if (begin_dialog(ui, form.name, {ui.px(480), 0.0F})) {
-    heading(ui, form.title);
+    heading(ui, form.title != nullptr ? form.title : form.name);
     hint(ui, form.prompt);
-    text_field(ui, form.field, path_);
+    text_field(ui, fmt::format("##{} path", form.name).c_str(), path_);
     const Ready ready = draw_rows();
     ImGui::Dummy(ImVec2(1, ui.px(4)));
     if (!ready.wait.empty()) hint(ui, ready.wait);
@@ -79,9 +79,7 @@ void ExportDialog::draw(const PanelContext& context) {
             .wait = measuring ? "Measuring. The files can be written when it is done." : ""};
   };
   const PathDialog::Form form{.name = "Export",
-                              .title = "Export",
                               .prompt = "Files are named after this path:",
-                              .field = "##Export path",
                               .action = "Export",
                               .proposed = beside_part(state, "-regions")};
   if (!dialog_.draw(ui, form, rows, context.edits.dialogs.exporting)) return;
@@ -128,9 +126,7 @@ void MoldExportDialog::draw(const PanelContext& context) {
                                     : error};
   };
   const PathDialog::Form form{.name = "Export the mold",
-                              .title = "Export the mold",
                               .prompt = "Into this folder:",
-                              .field = "##Mold folder",
                               .action = "Export",
                               .proposed = beside_part(state, "-mold")};
   if (!dialog_.draw(ui, form, rows, context.edits.dialogs.exporting_mold)) return;
@@ -156,7 +152,6 @@ void draw_picture_dialog(const PanelContext& context, PathDialog& dialog) {
   const PathDialog::Form form{.name = "Picture",
                               .title = "Save a picture",
                               .prompt = "Later pictures of this session are numbered.",
-                              .field = "##Picture path",
                               .action = "Save",
                               .proposed = *asked};
   bool open = true;
@@ -170,7 +165,6 @@ void draw_finishes_dialog(const PanelContext& context, PathDialog& dialog) {
   const PathDialog::Form form{.name = "Finishes",
                               .title = *saves ? "Save the finishes" : "Load the finishes",
                               .prompt = *saves ? "A file of this name is replaced." : "From this file:",
-                              .field = "##Finishes path",
                               .action = *saves ? "Save" : "Load",
                               .proposed = beside_part(context.state, "-finishes.csv")};
   bool open = true;
@@ -194,7 +188,6 @@ void draw_film_dialog(const PanelContext& context, PathDialog& dialog) {
   const PathDialog::Form form{.name = "Film",
                               .title = "Film of the presentation",
                               .prompt = "It is shown while it is made. A file of this name is replaced.",
-                              .field = "##Film path",
                               .action = "Make it",
                               .proposed = beside_part(context.state, *format == 1 ? ".mp4" : ".gif")};
   bool open = true;

@@ -84,8 +84,8 @@ class FileBrowser {
 class PathDialog {
  public:
   struct Form {
-    const char *name, *title, *prompt, *field, *action;
-    std::string proposed;  // path; another one replaces what was typed
+    const char *name, *title = nullptr, *prompt, *action;  // without a title it is the name
+    std::string proposed;                                  // path; another one replaces what was typed
   };
   /// Whether it can be confirmed; if not, what is waited for.
   struct Ready {

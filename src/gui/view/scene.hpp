@@ -116,10 +116,6 @@ class Scene {
   bool drawn_ = false;
 };
 
-/// What a picture of the part is to show: its outermost points, in halves that have opened so far along the
-/// direction (unit), and their arrows.
-[[nodiscard]] std::vector<glm::vec3> points_to_show(std::span<const glm::vec3> extremes,
-                                                    const glm::dvec3& direction, double open_mold);
 /// The camera with its orientation and projection, so that the points fill the free area.
 [[nodiscard]] Camera fitted_to(const Camera& camera, std::span<const glm::vec3> points, const FreeArea& area);
 
