@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #define GL_GLEXT_PROTOTYPES  // for the types of the entry points alone
 #include <GL/glcorearb.h>
@@ -52,11 +53,15 @@ class Entry<Result (*)(Arguments...)> {
   bool takes_turns_ = false;
 };
 
+class Programs;
+
 /// Every entry of one context. Valid while that context is current on the calling thread.
 struct Functions {
 #define MOLDLIGHT_GL_MEMBER(name) Entry<decltype(&gl##name)> name;
   MOLDLIGHT_GL_FUNCTIONS(MOLDLIGHT_GL_MEMBER)
 #undef MOLDLIGHT_GL_MEMBER
+  /// Of this context, while any of its tools live: see Programs::of().
+  mutable std::weak_ptr<Programs> programs;
 
   using ProcAddress = std::function<void*(const char*)>;
   /// Loads every entry; throws Error naming the first that the driver lacks.

@@ -51,10 +51,12 @@ class NumberedCorners {
 
 /// What passes are drawn with. Valid for one context.
 struct Tools {
-  explicit Tools(const Functions& functions) : gl(functions), programs(functions), corners(functions) {}
+  explicit Tools(const Functions& functions)
+      : gl(functions), held(Programs::of(functions)), programs(*held), corners(functions) {}
 
   const Functions& gl;
-  Programs programs;
+  std::shared_ptr<Programs> held;
+  Programs& programs;
   NumberedCorners corners;
 };
 

@@ -100,6 +100,12 @@ GLint Program::location(std::string_view name) const {
   return found->second;
 }
 
+std::shared_ptr<Programs> Programs::of(const Functions& gl) {
+  std::shared_ptr<Programs> programs = gl.programs.lock();
+  if (!programs) gl.programs = programs = std::make_shared<Programs>(gl);
+  return programs;
+}
+
 const Program& Programs::use(std::string_view vertex, std::string_view fragment,
                              const std::vector<std::string_view>& defines) {
   std::string key(vertex);

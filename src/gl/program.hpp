@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -73,8 +74,11 @@ class Program {
 class Programs {
  public:
   explicit Programs(const Functions& gl) : gl_(&gl) {}
-  Programs(Programs&&) = default;
-  Programs& operator=(Programs&&) = delete;
+  Programs(const Programs&) = delete;
+  Programs& operator=(const Programs&) = delete;
+  /// Those of the context, which all that draw in it share: a driver makes a program's code anew for each
+  /// copy of it, where that is first drawn with. They go with the last who holds them.
+  [[nodiscard]] static std::shared_ptr<Programs> of(const Functions& gl);
   /// A card's driver was seen to draw nothing by a program made after one was deleted that was in use.
   ~Programs() {
     if (!programs_.empty()) use_no_program(*gl_);
@@ -84,6 +88,8 @@ class Programs {
   /// defines are left out. Throws Error where it does not compile.
   const Program& use(std::string_view vertex, std::string_view fragment,
                      const std::vector<std::string_view>& defines = {});
+  /// How many have been compiled.
+  [[nodiscard]] std::size_t count() const { return programs_.size(); }
 
  private:
   const Functions* gl_;

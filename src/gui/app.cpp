@@ -30,6 +30,7 @@ App::App(const gl::Context& context, AppOptions options)
       comparer_(options_.wake),
       body_verdicts_(options_.wake),
       sweep_(options_.wake) {
+  if (options_.rehearses) rehearsal_.emplace(context.functions());
   state_.window = begun_with_ = options_.window.value_or(options_.user.window);
   state_.sweep_choices.options = options_.user.sweep;
   state_.recent = options_.user.recent;
@@ -95,16 +96,15 @@ void App::frame(const FrameInput& input) {
     scene_frame.second_shift = picture_shift(*split, size_, split_side());
   }
   if (!presentation_) viewport_.handle_mouse(ui, state_, scene_frame, edits);
-  const int map_px = state_.dialogs.large_map ? 1024 : std::max(64, static_cast<int>(ui.px(112)));
-  const MapTextures maps =
-      scene_ && !state_.dialogs.panels_hidden ? scene_->map_pictures(map_px) : MapTextures{};
-  candidates_missing_ = pictures_ && !state_.dialogs.panels_hidden &&
-                        pictures_->draw_next(scene_settings().view.settings, candidate_picture_size(scale_));
+  // One a frame, once the picture of the part is final: both would be a long frame.
+  candidates_missing_ =
+      pictures_ && !state_.dialogs.panels_hidden &&
+      (refining_ || pictures_->draw_next(scene_settings().view.settings, candidate_picture_size(scale_)));
   const std::vector<unsigned> shipped = shipped_pictures(ui);
   if (batch_pictures_) batch_pictures_->begin_frame();
   if (body_pictures_) body_pictures_->begin_frame();
   workspace_.draw({ui, state_, edits, layout_},
-                  {.maps = maps,
+                  {.maps = [this](int size_px) { return scene_->map_pictures(size_px); },
                    .shipped_parts = shipped,
                    .candidates = pictures_ ? pictures_->textures() : std::vector<unsigned>(),
                    .bodies = [this](std::size_t body) { return body_picture(body); },

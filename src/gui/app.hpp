@@ -33,6 +33,7 @@
 #include "gui/view/side_actions.hpp"
 #include "gui/view/viewport.hpp"
 #include "io/film.hpp"
+#include "render/rehearsal.hpp"
 
 namespace moldlight::gui {
 
@@ -43,6 +44,7 @@ struct AppOptions {
   std::optional<WindowSettings> window;  // for this time only, where they are not the user's
   std::vector<std::string> shipped_parts;
   int picture_samples = ViewSettings{}.samples;  // that a picture at rest averages
+  bool rehearses = false;                        // all that pictures are drawn by, in the first frames
   std::function<void()> wake = [] {};            // called from other threads when a frame is wanted
   Measurer::MakeContext make_context;
 };
@@ -96,8 +98,8 @@ class App {
   [[nodiscard]] const std::string& focused() const { return imgui_.memory().focused; }
   /// The texts of the last frame.
   [[nodiscard]] const std::vector<DrawnText>& texts() const { return imgui_.memory().texts; }
-  /// True while pictures on the start page are still to come.
-  [[nodiscard]] bool preparing() const { return !state_.model && !thumbnails_.finished(); }
+  /// True while pictures on the start page are still to come, or something is to be rehearsed.
+  [[nodiscard]] bool preparing() const { return rehearsal_ || (!state_.model && !thumbnails_.finished()); }
   /// True while figures, the split mesh, side actions, the mold, or a comparison are not there that will be.
   [[nodiscard]] bool measuring() const {
     return state_.model && (state_.figures.measuring || state_.actions.awaited ||
@@ -209,6 +211,7 @@ class App {
 
   const gl::Context* context_;
   gl::Tools tools_;
+  std::optional<Rehearsal> rehearsal_;  // what of it is left
   AppOptions options_;
   AppState state_;
   History<EditedSettings> history_;
@@ -281,7 +284,7 @@ class App {
   bool quick_sweep_due_ = false;
   std::uint64_t followed_ = 0;    // revision of the figures
   bool direction_moves_ = false;  // under a hand or in a flight, in this frame
-  bool candidates_missing_ = false, was_split_ = false;
+  bool candidates_missing_ = false, was_split_ = false, refining_ = false;
 };
 
 }  // namespace moldlight::gui

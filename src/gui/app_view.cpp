@@ -199,6 +199,7 @@ SceneSettings App::scene_settings() const {
 
 bool App::draw(const ViewTarget& target) {
   bool refining = false;
+  if (rehearsal_ && !rehearsal_->draw_next(target.framebuffer)) rehearsal_.reset();
   if (const auto split = split_view()) {
     refining = revision_ ? revision_->draw(state_, *split, scene_settings())
                          : pictures_->draw_beside(*split, scene_settings());
@@ -223,8 +224,8 @@ bool App::draw(const ViewTarget& target) {
   gl::use_no_program(context_->functions());
   imgui_.draw();
   add_to_film(target);
-  if (refining) next_frame_s_ = now_s_;
-  return refining;
+  if (refining || rehearsal_) next_frame_s_ = now_s_;
+  return refining_ = refining;
 }
 
 std::optional<Subject> App::lit_now() const {

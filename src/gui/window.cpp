@@ -215,6 +215,7 @@ AppOptions app_options(const WindowOptions& options) {
   app.window = app.user.window;
   set_options(window_options(), *app.window, options.window);
   app.shipped_parts = shipped_parts();
+  app.rehearses = true;
   app.wake = [] { glfwPostEmptyEvent(); };
   app.make_context = create_context;
   return app;

@@ -81,6 +81,7 @@ class Watched {
   static OffscreenOptions options(std::atomic<bool>& woken) {
     OffscreenOptions options;
     options.size = k_window;
+    options.rehearses = true;
     options.wake = [&woken] { woken = true; };
     return options;
   }
@@ -99,8 +100,8 @@ void show(const std::string& path) {
   std::atomic<bool> woken = false;
   Watched watched(woken);
   OffscreenWindow& window = watched.window();
-  for (int k = 0; k < 4; ++k) watched.frame();
-  static_cast<void>(watched.longest());
+  static_cast<void>(watched.until([&] { return !window.app().preparing(); }));
+  std::printf("start %s; ", watched.longest().c_str());
   window.drop(path);
   watched.frame();
   const AppState& state = watched.state();

@@ -15,6 +15,7 @@ namespace moldlight::gui {
 namespace {
 
 constexpr float k_picture = 60.0F;  // layout units
+constexpr int k_large_px = 1024;
 
 constexpr const char* caption(bool plus) { return plus ? "+d" : "−d"; }
 
@@ -75,7 +76,7 @@ void draw_map_comparison(const PanelContext& context) {
                       grouped(std::to_string(maps.samples)), error));
 }
 
-void draw_maps_drawer(const PanelContext& context, const MapTextures& textures) {
+void draw_maps_drawer(const PanelContext& context, const std::function<MapTextures(int)>& textures) {
   constexpr const char* k_name = "Shadow maps";
   constexpr float k_button = 72.0F, k_column = 250.0F;  // layout units
   const Ui& ui = context.ui;
@@ -125,14 +126,15 @@ void draw_maps_drawer(const PanelContext& context, const MapTextures& textures) 
       draw_direction_fields(context);
     }
     ImGui::TableNextColumn();
-    draw_thumbnails(context, textures);
+    draw_thumbnails(context,
+                    textures(context.state.dialogs.large_map ? k_large_px : static_cast<int>(ui.px(112))));
     draw_accuracy(context, lengths);
     ImGui::EndTable();
   }
   context.layout.end();
 }
 
-void draw_large_map(const PanelContext& context, const MapTextures& textures) {
+void draw_large_map(const PanelContext& context, const std::function<MapTextures(int)>& textures) {
   if (!context.state.dialogs.large_map) return;
   const Ui& ui = context.ui;
   const bool plus = *context.state.dialogs.large_map;
@@ -142,7 +144,8 @@ void draw_large_map(const PanelContext& context, const MapTextures& textures) {
     ImGui::SameLine();
     hint(ui, "Bright: near the light. Dark: far from it. Click or press Esc to close.");
     const glm::vec2 min = cursor_at();
-    draw_picture(window_list(), plus ? textures.plus : textures.minus, {min, min + side}, ui.px(6));
+    const MapTextures maps = textures(k_large_px);
+    draw_picture(window_list(), plus ? maps.plus : maps.minus, {min, min + side}, ui.px(6));
     if (pressable(ui, "close", {side, side}).clicked) context.edits.dialogs.large_map.reset();
   }
   if (end_dialog(ui)) context.edits.dialogs.large_map.reset();

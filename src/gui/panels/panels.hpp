@@ -68,7 +68,7 @@ void draw_draft_key(const PanelContext& context);
 /// How far the mold is open.
 void draw_opening(const PanelContext& context);
 /// The shadow maps with the controls of their method, along the bottom.
-void draw_maps_drawer(const PanelContext& context, const MapTextures& textures);
+void draw_maps_drawer(const PanelContext& context, const std::function<MapTextures(int)>& textures);
 /// How far the shadow maps are from exact regions, while the regions come from them; two lines of small text.
 void draw_map_comparison(const PanelContext& context);
 /// A path beside the part, named after it.
@@ -91,7 +91,7 @@ void draw_hints(const PanelContext& context);
 void draw_settings(const PanelContext& context);
 /// Asks what a part dropped beside another one is to be.
 void draw_dropped(const PanelContext& context);
-void draw_large_map(const PanelContext& context, const MapTextures& textures);
+void draw_large_map(const PanelContext& context, const std::function<MapTextures(int)>& textures);
 /// Cards of recommended directions, one below the other, as items of the window that is open; a click turns
 /// to one. `pictures`: a texture a candidate of the sweep's result; 0, or too few of them, where there is
 /// none yet.

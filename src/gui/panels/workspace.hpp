@@ -151,7 +151,7 @@ class HelpSheet {
 class Workspace {
  public:
   struct Textures {
-    MapTextures maps;
+    std::function<MapTextures(int)> maps;  // where they are looked at
     std::span<const unsigned> shipped_parts;
     std::vector<unsigned> candidates;  // of the sweep, one each; 0 for none yet
     PictureOf bodies;

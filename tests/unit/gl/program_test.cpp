@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "gl/headless_context.hpp"
+#include "gl/pass.hpp"
 
 namespace moldlight::gl {
 namespace {
@@ -110,6 +111,18 @@ TEST_F(ProgramTest, NoneThatIsInUseIsDeleted) {
   }
   gl().GetIntegerv(GL_CURRENT_PROGRAM, &used);
   EXPECT_EQ(used, 0);
+}
+
+TEST_F(ProgramTest, AreSharedByAllToolsOfAContext) {
+  const Tools first(gl());
+  const Program& own = first.programs.use("common/at_infinity.vert", {});
+  {
+    const Tools second(gl());
+    EXPECT_EQ(&second.programs.use("common/at_infinity.vert", {}), &own);
+    EXPECT_EQ(second.programs.count(), 1U);
+  }
+  EXPECT_EQ(&first.programs.use("common/at_infinity.vert", {}), &own) << "they stay with the last tools";
+  EXPECT_EQ(gl().programs.lock().get(), &first.programs);
 }
 
 TEST_F(ProgramTest, TexturesBeyondTheDriverAreRefused) {
