@@ -45,6 +45,21 @@ TEST_F(BatchInWindow, ShowsItsPartsWithWhatBecameOfThem) {
   EXPECT_TRUE(shows("is text, but no STL")) << "why it failed";
 }
 
+TEST_F(BatchInWindow, SaysVerdictsAndNamesInFull) {
+  window.resize({1440, 900});
+  window.settle();
+  click("row 0");
+  window.wait_until_loaded();
+  window.wait_until_measured();
+  window.settle();
+  const ScreenBox table = window.control("panel Batch");
+  EXPECT_GT(table.max.x - table.min.x, 1000.0F) << "below the panels on the sides";
+  for (const DrawnText& each : window.app().texts()) {
+    const bool here = each.window.starts_with("##Batch");
+    EXPECT_FALSE(here && each.text.find("…") != std::string::npos) << each.text;
+  }
+}
+
 TEST_F(BatchInWindow, AClickOpensThePartWithItsSettings) {
   click("row 0");
   window.wait_until_loaded();

@@ -27,8 +27,7 @@ class CardWindow : public ::testing::Test {
   }
 
   /// A block with a pocket in its side: along z one slide, along the pocket none.
-  void open_part() {
-    const TriangleMesh mesh = moldlight::test::plate_with_side_pocket({}).mesh;
+  void open_part(const TriangleMesh& mesh = moldlight::test::plate_with_side_pocket({}).mesh) {
     const std::vector<Region> regions(mesh.facets.size(), Region::both);
     const std::string path = folder.file("part.stl");
     write_coloured_mesh(path, {.mesh = mesh, .regions = regions});
@@ -90,6 +89,18 @@ TEST_F(CardWindow, LeadToWhatTheRankingRecommends) {
   EXPECT_FALSE(sweep().cards.front().offered);
   EXPECT_EQ(sweep().result->recommended->direction, first.direction) << "nothing is searched for anew";
   EXPECT_FALSE(window.app().sweeping());
+}
+
+TEST_F(CardWindow, HaveTheWholeVerdictWhereThereIsRoom) {
+  open_part(moldlight::test::hollow_sphere({}).mesh);
+  window.wait_until_swept();
+  ASSERT_FALSE(sweep().cards.empty());
+  const DirectionCard& card = sweep().cards.front();
+  ASSERT_TRUE(card.trade.wins.empty() && card.trade.costs.empty()) << card.verdict;
+  const std::string last = card.verdict.substr(card.verdict.rfind(' ') + 1);
+  EXPECT_TRUE(std::ranges::any_of(window.app().texts(), [&](const DrawnText& each) {
+    return each.text.ends_with(last);
+  })) << card.verdict;
 }
 
 TEST_F(CardWindow, FoldsAndShowsAllDirections) {

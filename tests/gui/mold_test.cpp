@@ -254,6 +254,14 @@ TEST_F(Mold, IsCutClosed) {
   EXPECT_GT(cavity[1], cavity[2]) << "green";
 }
 
+TEST_F(Mold, ShowsTheHeightThatItsPlanarLineHas) {
+  unfold(Step::parting_line);
+  const PartingLine& line = mold().line->line;
+  ASSERT_TRUE(line.is_planar(state().model->frame.diagonal)) << mold().line->verdict;
+  EXPECT_NE(mold().line->assignment.height, line.outer_low) << "of its walls";
+  EXPECT_EQ(parting_height(state()), line.outer_low);
+}
+
 TEST_F(Mold, TakesAHeightByHand) {
   open(k_box_part);
   unfold();

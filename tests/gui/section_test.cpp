@@ -38,6 +38,18 @@ TEST_F(Sections, GoRoundByAKey) {
   EXPECT_EQ(look().section, Section::along);
 }
 
+TEST_F(Sections, SayThatTheyMeasureWalls) {
+  const auto said = [&] {
+    return std::ranges::any_of(window.app().texts(), [](const DrawnText& each) {
+      return each.text.starts_with("Point at the cut");
+    });
+  };
+  EXPECT_FALSE(said());
+  click("Section=x");
+  window.settle();
+  EXPECT_TRUE(said());
+}
+
 TEST_F(Sections, AreDraggedByTheirArrowInOneStep) {
   click("Section=x");
   const glm::vec2 start = window.control("section arrow").centre();

@@ -64,6 +64,16 @@ TEST_F(Verdicts, LeadToTheBestDirection) {
   EXPECT_TRUE(window_.app().controls().contains("direction 1"));
 }
 
+TEST_F(Verdicts, HaveAreasWithTheirUnit) {
+  open(moldlight::test::hollow_sphere({}).mesh);
+  window_.settle();
+  const std::string area = " " + powered_unit(window_.state().model->part, 2);
+  const auto row = window_.control("line unreleased");
+  EXPECT_TRUE(std::ranges::any_of(window_.app().texts(), [&](const DrawnText& each) {
+    return each.text.ends_with(area) && each.box.min.y > row.min.y && each.box.max.y < row.max.y;
+  }));
+}
+
 TEST_F(Verdicts, ShowTheUndercuts) {
   // The pocket lies in the side at x = 31.7: seen from the other side a click turns to it.
   open(moldlight::test::plate_with_side_pocket({}).mesh);

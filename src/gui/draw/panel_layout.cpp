@@ -17,7 +17,8 @@ namespace {
 constexpr float k_least_room = 96.0F;       // layout units: with less a panel is collapsed
 constexpr float k_widest_bottom = 1120.0F;  // layout units
 constexpr float k_bottom_row = 40.0F;       // layout units: a folded panel along the bottom
-constexpr float k_least_bottom = 600.0F;    // with less between the side panels it reaches below them
+constexpr float k_high_window = 800.0F;
+constexpr float k_least_bottom = 600.0F;  // with less between the side panels it reaches below them
 
 /// Layout units that panels and dialogs have at least.
 constexpr glm::vec2 k_least_size(960.0F, 600.0F);
@@ -205,7 +206,7 @@ void PanelLayout::end() {
   open_ = nullptr;
 }
 
-bool PanelLayout::begin_bottom(const Ui& ui, const char* name, float folded_width) {
+bool PanelLayout::begin_bottom(const Ui& ui, const char* name, float folded_width, float wanted) {
   CHECK(open_ == nullptr);
   Panel& each = panel(name);
   each.drawn = false;
@@ -217,7 +218,8 @@ bool PanelLayout::begin_bottom(const Ui& ui, const char* name, float folded_widt
   open_ = &each;
   each.bottom = each.drawn = true;
   const float between = static_cast<float>(area.max.x - area.min.x) - 2.0F * gap;
-  const bool below = between < ui.px(k_least_bottom);
+  const bool high = static_cast<float>(size_.y) >= ui.px(k_high_window);
+  const bool below = between < ui.px(std::max(k_least_bottom, high ? wanted : 0.0F));
   const bool narrow = each.place.collapsed && folded_width > 0.0F;
   const float room = narrow ? folded_width : below ? static_cast<float>(size_.x) - 2.0F * gap : between;
   const float middle = below && !narrow ? 0.5F * static_cast<float>(size_.x) : area.middle_x();

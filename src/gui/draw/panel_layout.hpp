@@ -50,6 +50,9 @@ struct FreeArea {
   bool operator==(const FreeArea&) const = default;
 };
 
+/// Width that a table with sentences in it wants, layout units.
+inline constexpr float k_wide_table = 1000.0F;
+
 class PanelLayout {
  public:
   /// `ini` as imgui.ini; panels that it does not name get their place from the shipped one.
@@ -64,8 +67,8 @@ class PanelLayout {
   /// The same for a panel along the bottom, between those on the sides or, where that is little, below them;
   /// above those that have been drawn there; it is as high as what is in it, and its first row is its title,
   /// which the panel draws. False if it is folded up to that row; then it is no wider than `folded_width`,
-  /// pixels, where that is given.
-  bool begin_bottom(const Ui& ui, const char* name, float folded_width = 0.0F);
+  /// pixels, where that is given. In a high window less than the `wanted` layout units is little, too.
+  bool begin_bottom(const Ui& ui, const char* name, float folded_width = 0.0F, float wanted = 0.0F);
   /// Folds a panel along the bottom up, by its name, or down; then the others there are folded up: more than
   /// one would leave little of the part.
   void fold_bottom(std::string_view name, bool collapsed);

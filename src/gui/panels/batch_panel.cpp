@@ -15,7 +15,7 @@ namespace {
 
 // Layout units.
 constexpr float k_batch_row = 42.0F, k_thumbnail_width = 60.0F, k_unit_width = 40.0F, k_figure_width = 88.0F,
-                k_least_texts = 380.0F;
+                k_least_texts = 460.0F;
 constexpr float k_batch_share = 0.24F, k_batch_alone = 0.6F;  // of the window's height, beside a part or none
 
 /// Those for which there is room beside the part and its verdict; what it takes to mold it comes first.
@@ -61,7 +61,7 @@ void BatchPanel::draw(const PanelContext& context, const BatchPicture& picture) 
     table_.forget();
   }
   if (opens) context.layout.fold_bottom("Batch", false);
-  if (context.layout.begin_bottom(ui, "Batch")) {
+  if (context.layout.begin_bottom(ui, "Batch", 0.0F, k_wide_table)) {
     BottomHeader header(ui, "Batch");
     if (header.button({"close batch", Icon::close, "Close; L opens it again"})) shown = false;
     table_.draw_filter(ui, header, "batch rows", {.hint = "part, verdict or reason", .starts = opens});
@@ -96,7 +96,7 @@ void BatchPanel::draw(const PanelContext& context, const BatchPicture& picture) 
 }
 
 void BatchPanel::draw_row(const PanelContext& context, std::size_t index, const BatchPicture& picture) {
-  constexpr float k_light = 14.0F;
+  constexpr float k_light = 14.0F, k_line = 17.0F;
   const Ui& ui = context.ui;
   const batch::PartResult& row = of_->rows[table_.rows[index]];
   const std::string id = fmt::format("row {}", row.row);
@@ -112,20 +112,24 @@ void BatchPanel::draw_row(const PanelContext& context, std::size_t index, const 
   const glm::vec2 at = line.box.min + glm::vec2(ui.px(4), ui.px(2));
   if (row.picture) draw_picture(list, picture(row.key), {at, at + glm::vec2(ui.px(50), ui.px(38))}, ui.px(4));
   const bool failed = row.state == batch::ResultState::failed, done = row.state == batch::ResultState::done;
+  const ImU32 colour = failed ? ui.colours->warning : done ? ui.colours->text : ui.colours->muted;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const bool verdict = columns_[k] == RowColumn::verdict;
     const std::string text = batch::cell_text(row, columns_[k]);
-    const glm::vec2 dot(line.box.min.x + table_.begin_of(k) + ui.px(4), line.box.centre().y);
-    if (verdict) list.AddCircleFilled(dot, ui.px(4), light_colour(light_of(row)));
-    if (failed && verdict) {
-      // Why a part failed stands where its figures would be.
-      const glm::vec2 start(dot.x - ui.px(4) + ui.px(k_light), dot.y - 0.5F * ui.fonts.body.size);
-      draw_text(list, {ui.fonts.body, ui.colours->warning}, start,
-                fitted(ui.fonts.body, text, line.box.max.x - ui.px(12) - start.x));
-      break;
+    if (columns_[k] != RowColumn::verdict) {
+      table_.draw_cell(ui, line.box, k, {ui.fonts.body, done ? ui.colours->text : ui.colours->muted}, text);
+      continue;
     }
-    table_.draw_cell(ui, line.box, k, {ui.fonts.body, done ? ui.colours->text : ui.colours->muted}, text,
-                     verdict ? k_light : 0.0F);
+    const float left = line.box.min.x + table_.begin_of(k), from = left + ui.px(k_light);
+    list.AddCircleFilled({left + ui.px(4), line.box.centre().y}, ui.px(4), light_colour(light_of(row)));
+    // Why a part failed stands where its figures would be.
+    const float end = failed ? line.box.max.x - ui.px(12) : line.box.min.x + table_.end_of(ui, k);
+    const std::vector<std::string> lines = lines_within(ui.fonts.body, text, end - from, 2);
+    float top = line.box.centre().y - 0.5F * ui.px(k_line) * static_cast<float>(lines.size());
+    for (const std::string& each : lines) {
+      draw_text(list, {ui.fonts.body, colour}, {from, top}, each);
+      top += ui.px(k_line);
+    }
+    if (failed) break;
   }
   put_cursor({line.box.min.x, line.box.max.y});
   if (line.clicked) context.edits.ask(&Commands::open_batch_part, table_.rows[index]);

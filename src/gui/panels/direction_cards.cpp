@@ -68,7 +68,7 @@ void draw_card(const PanelContext& context, std::size_t place, float width, unsi
   };
   const float alpha = state.figures.pale ? 0.4F : 1.0F;
   const MoldTrade& trade = card.trade;
-  write(ui.colours->text, card.verdict, 2);
+  write(ui.colours->text, card.verdict, trade.wins.empty() && trade.costs.empty() ? k_most_lines : 2);
   // What it costs stands there in any case.
   if (!trade.wins.empty())
     write(faded(ui.colours->muted, alpha), fmt::format("+ {}", fmt::join(trade.wins, ", ")),

@@ -24,9 +24,9 @@ constexpr double k_step_deg = 0.1;
 constexpr std::array<ListColumn, 4> k_draft_columns = {{
     {"#", "Walls that cost the most thickness come first.", 8.0F, false},
     {"formed by", "The half that forms the wall.", 36.0F, false},
-    {"draft", "Least draft of the wall. Negative: reverse draft.", 164.0F, true},
-    {"costs", "Change of thickness at the far end if the wall turns about its foot, in the part's unit.",
-     228.0F, true},  // beside a scroll bar
+    {"draft", "Least draft of the wall. Negative: reverse draft.", 150.0F, true},
+    {"costs", "Change of thickness at the far end if the wall turns about its foot.", 228.0F,
+     true},  // beside a scroll bar
 }};
 
 constexpr std::array<ListColumn, 3> k_finish_columns = {{
@@ -269,10 +269,11 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
   const bool here = state.face && state.face->number == wall.face;
   const std::string id = fmt::format("wall {}", number + 1);
   const Row row = list_row(ui, {.id = id.c_str(), .height = k_draft_row, .chosen = here, .marked = marked});
+  const std::string unit = length_unit(state.model->part);
   const FigureColumn lengths(10.0 * state.model->frame.diagonal);
   const std::array<std::string, k_draft_columns.size()> texts = {
       std::to_string(number + 1), std::string(side_name(wall.side)), draft_text(wall.least_deg),
-      grouped(lengths.text(wall.thickness))};
+      grouped(lengths.text(wall.thickness)) + " " + unit};
   const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
   const ScreenBox upper{row.box.min, {row.box.max.x, row.box.min.y + ui.px(22)}};
   for (std::size_t k = 0; k < texts.size(); ++k) {
@@ -280,7 +281,6 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
     draw_cell(ui, upper, k_draft_columns[k],
               {k == 0 ? ui.fonts.strong : ui.fonts.body, leans ? ui.colours->warning : normal}, texts[k]);
   }
-  const std::string unit = length_unit(state.model->part);
   draw_second_line(
       ui, row.box, 24.0F,
       fmt::format("{} {} · {} {} high · turn {:.3g}°", rounded(wall.area), powered_unit(state.model->part, 2),

@@ -70,6 +70,7 @@ void draw_look_panel(const PanelContext& context) {
       if (option.key == "section_turn" && look.section != Section::along) continue;
       option_row(ui, option, look, {.lengths = &lengths});
     }
+    if (look.section != Section::off) hint(ui, "Point at the cut: it says how thick the wall is.");
     ImGui::Dummy(ImVec2(0.0F, ui.px(2)));
     draw_chips(ui, look);
   }

@@ -146,7 +146,9 @@ std::vector<SubjectLine> subject_lines(const AppState& state) {
   const Verdict& verdict = *state.verdict;
   const HealthReport& health = state.model->health;
   const Classification& here = *state.figures.shown;
-  const auto area = [&](double value) { return grouped(rounded_area(value, here.total_area)); };
+  const auto area = [&](double value) {
+    return grouped(rounded_area(value, here.total_area)) + " " + powered_unit(state.model->part, 2);
+  };
   const auto count = [](std::size_t number) { return grouped(std::to_string(number)); };
   if (state.actions.plan && !state.actions.plan->unreleased.empty())
     lines.push_back({Of::unreleased, "line unreleased", "Not released", area(verdict.unreleased_area)});

@@ -27,7 +27,7 @@ constexpr float k_tip_width = 154.0F, k_tip_height = 96.0F;  // of a direction's
 constexpr float k_sweep_share = 0.25F;
 /// Columns before those of figures: rank, direction. And the one after them, why.
 constexpr std::size_t k_before_figures = 2;
-constexpr float k_rank_width = 38.0F, k_direction_width = 136.0F, k_least_why = 80.0F;  // layout units
+constexpr float k_rank_width = 38.0F, k_direction_width = 136.0F, k_least_why = 140.0F;  // layout units
 constexpr float k_column_gap = 8.0F, k_compare_room = k_row_height + 8.0F;
 
 std::string time_text(double seconds) {
@@ -181,7 +181,7 @@ void SweepPanel::draw_below(const PanelContext& context, std::span<const unsigne
   }
   if (below_ == Below::table && (!sweep.result || sweep.result->candidates.empty())) below_ = Below::nothing;
   if (below_ == Below::nothing) return;
-  if (context.layout.begin_bottom(ui, "Directions")) {
+  if (context.layout.begin_bottom(ui, "Directions", 0.0F, below_ == Below::table ? k_wide_table : 0.0F)) {
     BottomHeader header(ui, "Directions");
     if (header.button({"close directions", Icon::close, "Close"})) below_ = Below::nothing;
     header.end(below_ == Below::table ? result_text(sweep) : "Options of the search", ui.colours->muted);

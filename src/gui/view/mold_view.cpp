@@ -122,7 +122,12 @@ std::vector<glm::vec3> block_corners(const AppState& state) {
 
 double parting_height(const AppState& state) {
   const auto& given = state.settings.mold.parting_height;
-  return given ? *given : state.mold.line ? state.mold.line->assignment.height : 0.0;
+  if (given || !state.mold.line) return given.value_or(0.0);
+  const PartingLine& line = state.mold.line->line;
+  // Walls may have been divided elsewhere than where a line in one plane runs.
+  const bool outer = !line.loops.empty() && line.loops.front().kind == LoopKind::outer;
+  return outer && line.is_planar(state.model->frame.diagonal) ? line.outer_low
+                                                              : state.mold.line->assignment.height;
 }
 
 HeightRange height_range(const AppState& state) {
