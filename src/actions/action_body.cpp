@@ -173,16 +173,18 @@ class BodyShaper::Maker {
   /// Triangles are divided until each leaves whole, or has little of the surface; then those that do not go.
   void leave_out_blocked() {
     constexpr double k_little = 0.01;
-    std::vector<std::array<VertexIndex, 3>> free;
-    for (bool fine = false; !fine; fine = fine || !divide(k_most_triangles)) {
+    std::vector<Corners> free;
+    for (bool divided = true; divided;) {
+      divided = false;
       free.clear();
-      fine = true;
       const double all = total_area();
-      for (const auto& corners : triangles_) {
+      for (const Corners& corners : triangles_) {
         const double share = all > 0.0 ? glm::length(area_of(corners)) / all : 0.0;
-        const double leaves = share_that_leaves(corners, share);
-        if (leaves == 1.0) free.push_back(corners);
-        fine = fine && (leaves == 0.0 || leaves == 1.0 || share <= k_little);
+        const Leaves leaves = how_it_leaves(corners, share);
+        if (leaves == Leaves::whole) free.push_back(corners);
+        // Once one is to be divided, all are.
+        divided = leaves == Leaves::in_part && share > k_little && divide(k_most_triangles);
+        if (divided) break;
       }
     }
     if (!free.empty()) triangles_ = std::move(free);
@@ -213,28 +215,32 @@ class BodyShaper::Maker {
     return 0.5 * glm::cross(vertices_[corners[1]] - a, vertices_[corners[2]] - a);
   }
 
-  /// Of places near its corners and on it, the more the larger its share of the surface is, how many the
-  /// action frees.
-  [[nodiscard]] double share_that_leaves(const std::array<VertexIndex, 3>& corners, double share) const {
+  enum class Leaves { whole, in_part, not_at_all };
+
+  /// By places near its corners and on it, the more the larger its share of the surface is.
+  [[nodiscard]] Leaves how_it_leaves(const Corners& corners, double share) const {
     constexpr double k_inward = 0.02, k_places = 300.0;  // for the whole surface
     const glm::dvec3 area = area_of(corners);
-    if (area == glm::dvec3(0.0)) return 1.0;  // it goes with its neighbours
+    if (area == glm::dvec3(0.0)) return Leaves::whole;  // it goes with its neighbours
     const glm::dvec3 &a = vertices_[corners[0]], &b = vertices_[corners[1]], &c = vertices_[corners[2]];
-    const glm::dvec3 middle = (a + b + c) / 3.0;
-    std::vector<glm::dvec3> places = {middle, glm::mix(a, middle, k_inward), glm::mix(b, middle, k_inward),
-                                      glm::mix(c, middle, k_inward)};
-    for (std::uint64_t k = 0; static_cast<double>(k) < share * k_places; ++k)
-      places.push_back(triangle_place(k).in(a, b, c));
+    const glm::dvec3 middle = (a + b + c) / 3.0, normal = glm::normalize(area);
     const LifterWay way{action_.direction, action_.core_side ? release_.direction() : -release_.direction(),
                         action_.travel / model_.frame.diagonal};
-    const auto count = std::ranges::count_if(places, [&](const glm::dvec3& at) {
-      const UndercutSample sample{model_.frame.to_unit(at), glm::normalize(area), 0.0};
+    const auto leaves = [&](const glm::dvec3& at) {
+      const UndercutSample sample{model_.frame.to_unit(at), normal, 0.0};
       if (action_.kind == ActionKind::lifter) return release_.clears(sample, way);
       if (release_.free_length(sample, way.pull) != k_never) return false;
       if (action_.kind == ActionKind::insert) return !release_.covered(sample, way.pull);
       return release_.clear(sample, way.pull, way.length, way.side);
-    });
-    return static_cast<double>(count) / static_cast<double>(places.size());
+    };
+    const bool first = leaves(middle);
+    for (const glm::dvec3& corner : {a, b, c}) {
+      if (leaves(glm::mix(corner, middle, k_inward)) != first) return Leaves::in_part;
+    }
+    for (std::uint64_t k = 0; static_cast<double>(k) < share * k_places; ++k) {
+      if (leaves(triangle_place(k).in(a, b, c)) != first) return Leaves::in_part;
+    }
+    return first ? Leaves::whole : Leaves::not_at_all;
   }
 
   /// Of the triangles, a slide's with caps.

@@ -369,10 +369,7 @@ class ActionSearch::Finder {
       });
       add_feasible(pulls_.find(undercut_part.samples, across, ActionKind::lifter), pulls);
     }
-    std::vector<ActionOption> options;
-    for (const Pull& pull : pulls)
-      add_pull_options(undercut_parts_, pulls_, sharing_reach(), number, pull, options);
-    return options;
+    return pull_options(undercut_parts_, pulls_, sharing_reach(), number, pulls);
   }
 
   static void add_feasible(const std::vector<Pull>& more, std::vector<Pull>& pulls) {

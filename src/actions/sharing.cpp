@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <optional>
 #include <span>
 
 #include <glm/geometric.hpp>
@@ -34,16 +36,103 @@ class Sharing {
     }
   }
 
-  void add(std::vector<ActionOption>& options, std::size_t undercut_part, const Pull& pull) const {
-    if (is_slide(pull.kind) || (pull.kind == ActionKind::lifter && !pull.lack))
-      add_group(options, undercut_part, pull);
-    if (!pull.for_sharing) options.push_back({pull, {undercut_part}});
+  /// A pull of an undercut part.
+  struct Asked {
+    std::size_t undercut_part = 0;
+    const Pull* pull = nullptr;
+  };
+
+  /// Of each of them, in their order.
+  [[nodiscard]] std::vector<ActionOption> options(std::span<const Asked> asked) const {
+    // Many undercuts have pulls of one direction: what is found of the others along it is found once.
+    std::map<std::array<double, 3>, std::vector<std::size_t>> of_directions;
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      const glm::dvec3& way = asked[k].pull->direction;
+      of_directions[{way.x, way.y, way.z}].push_back(k);
+    }
+    std::vector<std::span<const std::size_t>> groups;
+    for (const auto& [direction, numbers] : of_directions) groups.emplace_back(numbers);
+    std::vector<std::vector<ActionOption>> found(asked.size());
+    tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t group) {
+      Along along(*this, asked[groups[group].front()].pull->direction);
+      for (const std::size_t k : groups[group]) add(found[k], asked[k].undercut_part, *asked[k].pull, along);
+    });
+    std::vector<ActionOption> options;
+    for (std::vector<ActionOption>& some : found) std::ranges::move(some, std::back_inserter(options));
+    return options;
   }
 
  private:
+  class Along;
+
+  void add(std::vector<ActionOption>& options, std::size_t undercut_part, const Pull& pull,
+           Along& along) const {
+    if (is_slide(pull.kind) || (pull.kind == ActionKind::lifter && !pull.lack))
+      add_group(options, undercut_part, pull, along);
+    if (!pull.for_sharing) options.push_back({pull, {undercut_part}});
+  }
+
   struct Ball {
     glm::dvec3 centre{0.0}, facing{0.0};  // the mean normal
     double radius = 0.0;
+  };
+
+  enum Axis : std::size_t { k_along, k_level, k_across, k_upright };  // the last is the parting direction
+  struct Spacing {
+    double gap = 0.0;                    // between them along the direction
+    double longer = 0.0, shorter = 0.0;  // of the two, there
+  };
+
+  /// What is found of the undercut parts along one direction, each asked once.
+  class Along {
+   public:
+    Along(const Sharing& sharing, const glm::dvec3& pull)
+        : sharing_(sharing), pull_(pull), moved_(sharing.undercut_parts_.size()) {
+      const glm::dvec3 level = glm::normalize(glm::cross(sharing.pulls_.direction(), pull));
+      axes_ = {pull, level, glm::cross(pull, level), sharing.pulls_.direction()};
+      extents_.fill(std::vector<std::optional<Extent>>(moved_.size()));
+    }
+
+    [[nodiscard]] const glm::dvec3& pull() const { return pull_; }
+
+    /// The part of the pull that one needs; none where the direction does not release it.
+    [[nodiscard]] const std::optional<Pull>& moved(std::size_t k, const Pull& pull) {
+      if (!moved_[k]) {
+        const std::span<const UndercutSample> samples = sharing_.undercut_parts_[k].samples;
+        moved_[k].emplace();
+        if (sharing_.pulls_.release().releases(samples, pull_, k_never))
+          sharing_.pulls_.estimate_travel(samples, moved_[k]->emplace(pull));
+      }
+      return *moved_[k];
+    }
+
+    [[nodiscard]] Spacing spacing(std::size_t a, std::size_t b, Axis axis) {
+      const auto [least_a, greatest_a] = extent(a, axis);
+      const auto [least_b, greatest_b] = extent(b, axis);
+      const auto [shorter, longer] = std::minmax({greatest_a - least_a, greatest_b - least_b});
+      return {std::max(least_a - greatest_b, least_b - greatest_a), longer, shorter};
+    }
+
+   private:
+    using Extent = std::pair<double, double>;
+
+    [[nodiscard]] const Extent& extent(std::size_t k, Axis axis) {
+      std::optional<Extent>& known = extents_[axis][k];
+      if (known) return *known;
+      known = {k_never, -k_never};
+      for (const UndercutSample& sample : sharing_.undercut_parts_[k].samples) {
+        const double at = glm::dot(glm::dvec3(sample.position), axes_[axis]);
+        known->first = std::min(known->first, at);
+        known->second = std::max(known->second, at);
+      }
+      return *known;
+    }
+
+    const Sharing& sharing_;
+    glm::dvec3 pull_;
+    std::array<glm::dvec3, 4> axes_;
+    std::vector<std::optional<std::optional<Pull>>> moved_;
+    std::array<std::vector<std::optional<Extent>>, 4> extents_;
   };
 
   /// Of the pull of one undercut: which others have a shorter way out elsewhere, each asked once.
@@ -74,7 +163,7 @@ class Sharing {
   };
 
   /// All that join one that is there; slides are shared first with what has no shorter way out elsewhere.
-  void add_group(std::vector<ActionOption>& options, std::size_t first, Pull pull) const {
+  void add_group(std::vector<ActionOption>& options, std::size_t first, Pull pull, Along& along) const {
     const bool slide = is_slide(pull.kind);
     std::vector<std::size_t> group = {first};
     Ways ways(*this, first, pull);
@@ -86,8 +175,8 @@ class Sharing {
           if (std::ranges::find(group, k) != group.end() || !undercut_parts_[k].allows(pull.kind)) continue;
           const bool joins = slide ? !are_far(group[next], k, pull.direction) &&
                                          (ways.is_shorter_elsewhere(k) ? rest : !rest || next >= tried) &&
-                                         join_slide(group, group[next], k, ways, pull)
-                                   : !rest && join_lifter(group, group[next], k, pull);
+                                         join_slide(group, group[next], k, ways, along, pull)
+                                   : !rest && join_lifter(group, group[next], k, along, pull);
           if (joins) group.push_back(k);
         }
       }
@@ -100,21 +189,20 @@ class Sharing {
 
   /// Whether it goes with a group, beside one of it that is `near`; the pull then moves all of them.
   [[nodiscard]] bool join_slide(std::span<const std::size_t> group, std::size_t near, std::size_t k,
-                                Ways& ways, Pull& pull) const {
-    if (!may_share(group.front(), k, pull.direction) || !are_near(near, k, pull.direction) ||
-        is_far_in_line(group, k, pull.direction, ways) ||
-        !pulls_.release().releases(undercut_parts_[k].samples, pull.direction, k_never))
+                                Ways& ways, Along& along, Pull& pull) const {
+    if (!may_share(group.front(), k, pull.direction) || !are_near(near, k, along) ||
+        is_far_in_line(group, k, along, ways))
       return false;
-    Pull its = pull;
-    pulls_.estimate_travel(undercut_parts_[k].samples, its);
-    pull.travel = std::max(pull.travel, its.travel);
-    pull.way = std::max(pull.way, its.way);
+    const std::optional<Pull>& its = along.moved(k, pull);
+    if (!its) return false;
+    pull.travel = std::max(pull.travel, its->travel);
+    pull.way = std::max(pull.way, its->way);
     return true;
   }
 
   [[nodiscard]] bool join_lifter(std::vector<std::size_t> group, std::size_t near, std::size_t k,
-                                 Pull& pull) const {
-    if (!are_side_by_side(near, k, pull.direction)) return false;
+                                 Along& along, Pull& pull) const {
+    if (!are_side_by_side(near, k, along)) return false;
     group.push_back(k);
     const auto shared = pulls_.shared_lifter(samples_of(undercut_parts_, group), pull);
     pull = shared.value_or(pull);
@@ -122,15 +210,15 @@ class Sharing {
   }
 
   /// In a row across the pull, facing the same way, with a gap no wider than either of them.
-  [[nodiscard]] bool are_side_by_side(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
+  [[nodiscard]] bool are_side_by_side(std::size_t a, std::size_t b, Along& along) const {
     constexpr double k_least_facing = 0.3, k_same_way = 0.9;
     const glm::dvec3 &one_way = balls_[a].facing, &other_way = balls_[b].facing;
     const double lengths = glm::length(one_way) * glm::length(other_way);
     if (lengths < k_least_facing * k_least_facing || glm::dot(one_way, other_way) < k_same_way * lengths)
       return false;
-    const Spacing across = spacing(a, b, glm::normalize(glm::cross(pulls_.direction(), pull)));
-    return across.gap <= across.shorter && spacing(a, b, pull).gap < 0.0 &&
-           spacing(a, b, pulls_.direction()).gap < 0.0;
+    const Spacing across = along.spacing(a, b, k_level);
+    return across.gap <= across.shorter && along.spacing(a, b, k_along).gap < 0.0 &&
+           along.spacing(a, b, k_upright).gap < 0.0;
   }
 
   /// Whether some of their own directions are near enough to each other, or the shapes of both suggest this
@@ -155,9 +243,8 @@ class Sharing {
   }
 
   /// Whether the one hides the other, seen along the pull.
-  [[nodiscard]] bool are_in_line(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
-    const glm::dvec3 level = glm::normalize(glm::cross(pulls_.direction(), pull));
-    return spacing(a, b, level).gap < 0.0 && spacing(a, b, glm::cross(pull, level)).gap < 0.0;
+  [[nodiscard]] static bool are_in_line(std::size_t a, std::size_t b, Along& along) {
+    return along.spacing(a, b, k_level).gap < 0.0 && along.spacing(a, b, k_across).gap < 0.0;
   }
 
   /// By the balls around them: certainly not near.
@@ -170,42 +257,26 @@ class Sharing {
            glm::length(between - along * pull) - both > reach_.across;
   }
 
-  struct Spacing {
-    double gap = 0.0;                    // between them along the direction
-    double longer = 0.0, shorter = 0.0;  // of the two, there
-  };
-  [[nodiscard]] Spacing spacing(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
-    std::array<double, 2> least{k_never, k_never}, greatest{-k_never, -k_never};
-    for (const std::size_t which : {a, b}) {
-      const std::size_t side = which == a ? 0 : 1;
-      for (const UndercutSample& sample : undercut_parts_[which].samples) {
-        const double at = glm::dot(glm::dvec3(sample.position), pull);
-        least[side] = std::min(least[side], at);
-        greatest[side] = std::max(greatest[side], at);
-      }
-    }
-    const auto [shorter, longer] = std::minmax({greatest[0] - least[0], greatest[1] - least[1]});
-    return {std::max(least[0] - greatest[1], least[1] - greatest[0]), longer, shorter};
-  }
-
   /// What lies behind another is reached through the steel between: a pin through knuckles, or through ribs,
   /// from each to the next, but not one through the core of a box to what has a shorter way out on its other
   /// side.
-  [[nodiscard]] bool is_far_in_line(std::span<const std::size_t> group, std::size_t k, const glm::dvec3& pull,
+  [[nodiscard]] bool is_far_in_line(std::span<const std::size_t> group, std::size_t k, Along& along,
                                     Ways& ways) const {
     bool is_far = false;
     for (const std::size_t one : group) {
-      const Spacing between = spacing(one, k, pull);
-      if (!are_in_line(one, k, pull)) continue;
+      if (!are_in_line(one, k, along)) continue;
+      const Spacing between = along.spacing(one, k, k_along);
       if (between.gap <= k_bridged * between.longer) return false;
-      const bool one_behind = glm::dot(balls_[one].centre, pull) < glm::dot(balls_[k].centre, pull);
+      const bool one_behind =
+          glm::dot(balls_[one].centre, along.pull()) < glm::dot(balls_[k].centre, along.pull());
       is_far = is_far || ways.is_shorter_elsewhere(one_behind ? one : k);
     }
     return is_far;
   }
 
-  [[nodiscard]] bool are_near(std::size_t a, std::size_t b, const glm::dvec3& pull) const {
-    if (spacing(a, b, pull).gap > reach_.along) return false;
+  [[nodiscard]] bool are_near(std::size_t a, std::size_t b, Along& along) const {
+    if (along.spacing(a, b, k_along).gap > reach_.along) return false;
+    const glm::dvec3& pull = along.pull();
     return std::ranges::any_of(undercut_parts_[a].samples, [&](const UndercutSample& one) {
       return std::ranges::any_of(undercut_parts_[b].samples, [&](const UndercutSample& other) {
         const glm::dvec3 between(one.position - other.position);
@@ -222,22 +293,21 @@ class Sharing {
 
 }  // namespace
 
-void add_pull_options(const std::vector<UndercutPart>& undercut_parts, const PullFinder& pulls,
-                      const SharingReach& reach, std::size_t undercut_part, const Pull& pull,
-                      std::vector<ActionOption>& options) {
-  Sharing(undercut_parts, pulls, reach).add(options, undercut_part, pull);
+std::vector<ActionOption> pull_options(const std::vector<UndercutPart>& undercut_parts,
+                                       const PullFinder& pulls, const SharingReach& reach,
+                                       std::size_t undercut_part, std::span<const Pull> further) {
+  std::vector<Sharing::Asked> asked;
+  for (const Pull& pull : further) asked.push_back({undercut_part, &pull});
+  return Sharing(undercut_parts, pulls, reach).options(asked);
 }
 
 std::vector<ActionOption> pull_options(const std::vector<UndercutPart>& undercut_parts,
                                        const PullFinder& pulls, const SharingReach& reach) {
-  const Sharing sharing(undercut_parts, pulls, reach);
-  std::vector<std::vector<ActionOption>> of_atoms(undercut_parts.size());
-  tbb::parallel_for(std::size_t{0}, undercut_parts.size(), [&](std::size_t k) {
-    for (const Pull& pull : undercut_parts[k].pulls) sharing.add(of_atoms[k], k, pull);
-  });
-  std::vector<ActionOption> options;
-  for (std::vector<ActionOption>& of_atom : of_atoms) std::ranges::move(of_atom, std::back_inserter(options));
-  return options;
+  std::vector<Sharing::Asked> asked;
+  for (std::size_t k = 0; k < undercut_parts.size(); ++k) {
+    for (const Pull& pull : undercut_parts[k].pulls) asked.push_back({k, &pull});
+  }
+  return Sharing(undercut_parts, pulls, reach).options(asked);
 }
 
 }  // namespace moldlight
