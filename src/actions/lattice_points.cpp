@@ -42,13 +42,15 @@ SurfacePoints lattice_points(const TriangleMesh& mesh, const glm::dvec3& way, co
   const glm::dvec3 other = std::abs(way.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 across = glm::normalize(glm::cross(way, glm::length(off) > 1e-3 ? off : other));
   const glm::dmat3 to_frame = glm::transpose(glm::dmat3(way, across, glm::cross(way, across)));
+  std::vector<glm::dvec3> places;
+  places.reserve(mesh.vertices.size());
+  for (const glm::dvec3& vertex : mesh.vertices) places.push_back(to_frame * vertex);
   Bounds box;
   double passed = 0.0;
-  std::vector<std::array<glm::dvec3, 3>> facets;
-  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    auto& corners = facets.emplace_back();
-    for (int k = 0; k < 3; ++k) box.add(corners[k] = to_frame * mesh.corner(facet, k));
-    const glm::dvec3 area = glm::abs(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  for (const auto& facet : mesh.facets) {
+    for (const VertexIndex corner : facet) box.add(places[corner]);
+    const glm::dvec3& a = places[facet[0]];
+    const glm::dvec3 area = glm::abs(glm::cross(places[facet[1]] - a, places[facet[2]] - a));
     passed += 0.5 * (area.x + area.y + area.z);
   }
   // A splinter would have too many.
@@ -58,11 +60,17 @@ SurfacePoints lattice_points(const TriangleMesh& mesh, const glm::dvec3& way, co
                                k_least_step * std::max({size.x, size.y, size.z}));
   if (!(step > 0.0)) return points;
   const glm::dvec3 middle = box.center();
-  for (const auto& [a, b, c] : facets) {
-    const glm::dvec3 low = (glm::min(a, glm::min(b, c)) - middle) / step - 0.5;
-    const glm::dvec3 high = (glm::max(a, glm::max(b, c)) - middle) / step - 0.5;
+  std::vector<glm::dvec3> in_steps;
+  in_steps.reserve(places.size());
+  for (const glm::dvec3& place : places) in_steps.push_back((place - middle) / step - 0.5);
+  for (const auto& facet : mesh.facets) {
+    const glm::dvec3 &a = places[facet[0]], &b = places[facet[1]], &c = places[facet[2]];
+    const glm::dvec3 &one = in_steps[facet[0]], &two = in_steps[facet[1]], &three = in_steps[facet[2]];
+    const glm::dvec3 low = glm::min(one, glm::min(two, three));
+    const glm::dvec3 high = glm::max(one, glm::max(two, three));
     for (int k = 0; k < 3; ++k) {
       const int u = (k + 1) % 3, v = (k + 2) % 3;
+      if (std::ceil(low[u]) > high[u]) continue;
       const double twice = (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
       if (twice == 0.0) continue;
       for (double i = std::ceil(low[u]); i <= high[u]; ++i) {
@@ -73,7 +81,7 @@ SurfacePoints lattice_points(const TriangleMesh& mesh, const glm::dvec3& way, co
           const double s = (x * (c[v] - a[v]) - y * (c[u] - a[u])) / twice;
           const double t = (y * (b[u] - a[u]) - x * (b[v] - a[v])) / twice;
           if (s < 0.0 || t < 0.0 || s + t > 1.0) continue;
-          const bool few = std::remainder(i - 1.0, 3.0) == 0.0 && std::remainder(j - 1.0, 3.0) == 0.0;
+          const bool few = std::llround(i - 1.0) % 3 == 0 && std::llround(j - 1.0) % 3 == 0;
           (few ? points.few : points.others)
               .push_back(glm::transpose(to_frame) * (a + s * (b - a) + t * (c - a)));
         }

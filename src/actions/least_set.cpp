@@ -309,9 +309,8 @@ class LeastSet {
     if (context_.detail == PlanDetail::rough) return draft;
     for (std::int32_t& action : of_atom)
       action = action < 0 ? action : place[static_cast<std::size_t>(action)];
-    if (!nearest_parts_) nearest_parts_ = nearest_parts(context_, undercut_parts_);
-    draft.plan.action_of_piece =
-        actions_of_pieces(context_, undercut_parts_, *nearest_parts_, of_atom, draft.plan.actions);
+    if (!pieces_) pieces_.emplace(context_, undercut_parts_);
+    draft.plan.action_of_piece = pieces_->of(of_atom, draft.plan.actions);
     meetings_.find(draft.plan);
     return draft;
   }
@@ -412,7 +411,7 @@ class LeastSet {
   std::size_t pairs_ahead_ = k_pairs_ahead;  // that are still worth the time
   int unproved_ = 0;                         // covers
   std::map<Left, SideAction> known_;
-  std::optional<std::vector<std::size_t>> nearest_parts_;
+  std::optional<PieceActions> pieces_;
   std::vector<RejectedAction> rejected_;
 };
 

@@ -84,9 +84,10 @@ class Search {
     });
   }
 
-  /// Cost that the open undercut parts need at least: of undercut parts that share no option each needs one
-  /// of its own.
-  [[nodiscard]] double bound() {
+  /// Whether what the open undercut parts need at least, beside the cost so far, saves nothing: of undercut
+  /// parts that share no option each needs one of its own.
+  [[nodiscard]] bool is_hopeless(double cost) {
+    const double most = best_cost_ * (1.0 - k_saving);
     double least = 0.0;
     ++round_;
     for (std::size_t undercut_part = 0; undercut_part < options_of_part_.size(); ++undercut_part) {
@@ -99,8 +100,9 @@ class Search {
         touched_[c] = round_;
       }
       least += cheapest;
+      if (cost + least >= most) return true;
     }
-    return least;
+    return cost >= most;
   }
 
   /// With the prices of its clashes with what is chosen.
@@ -141,7 +143,7 @@ class Search {
       }
       return;
     }
-    if (cost + bound() >= best_cost_ * (1.0 - k_saving)) return;
+    if (is_hopeless(cost)) return;
     // Those that cover most for their cost first: a good cover is found soon.
     std::vector<std::size_t> order = options_of_part_[rarest];
     const auto worth = [&](std::size_t c) {
@@ -167,8 +169,8 @@ class Search {
   std::vector<int> covered_;                               // how often each undercut part is
   std::vector<char> allowed_;
   std::vector<double> price_;         // of each option, of its clashes with what is chosen
-  std::vector<std::size_t> touched_;  // options that bound() came past, the last time
-  std::size_t round_ = 0;             // of bound()
+  std::vector<std::size_t> touched_;  // options that is_hopeless() came past, the last time
+  std::size_t round_ = 0;             // of is_hopeless()
   std::vector<std::size_t> chosen_, best_;
   double best_cost_ = std::numeric_limits<double>::infinity();
   std::size_t nodes_ = 0;
