@@ -201,7 +201,7 @@ class Laying {
       // What holds the polygon is half as large at least.
       if (halve && (reach_of(other) < 0.5 * radius || !same_region(other))) continue;
       const Nearness within = nearness(other, slack);
-      hulls_.push_back({other, within.lateral, widened(onto_.hull(other), within)});
+      hulls_.push_back({other, within.lateral, onto_.hull(other, within)});
       if (!find_over(polygon, &hulls_.back(), slack, over, result)) return;
     }
     if (!halve) {
@@ -311,7 +311,6 @@ OverlaySide::OverlaySide(std::shared_ptr<const PartModel> model, const Classific
         return ExactRays(mesh, unit_positions(mesh, model_->frame));
       }()) {
   measures_.reserve(count());
-  hulls_.reserve(count());
   for (PieceIndex piece = 0; piece < count(); ++piece) {
     const auto [a, b, c] = corners(piece);
     const glm::dvec3 centre = (a + b + c) / 3.0;
@@ -320,7 +319,6 @@ OverlaySide::OverlaySide(std::shared_ptr<const PartModel> model, const Classific
          .normal = model_->geometry.normals[facet(piece)],
          .radius = std::max({glm::distance(a, centre), glm::distance(b, centre), glm::distance(c, centre)}),
          .area = piece_area(*split_, split_->pieces[piece])});
-    hulls_.push_back(hull_around({a, b, c}, measures_.back().normal, {}));
     mean_radius_ += measures_.back().radius / static_cast<double>(count());
   }
 }

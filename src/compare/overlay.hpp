@@ -49,8 +49,10 @@ class OverlaySide {
   [[nodiscard]] Region region(PieceIndex piece) const { return split_->pieces[piece].region; }
   [[nodiscard]] const glm::dvec3& normal(PieceIndex piece) const { return measures_[piece].normal; }
   [[nodiscard]] double area(PieceIndex piece) const { return measures_[piece].area; }
-  /// As near around it as rounding.
-  [[nodiscard]] const TriangleHull& hull(PieceIndex piece) const { return hulls_[piece]; }
+  /// What is near it.
+  [[nodiscard]] TriangleHull hull(PieceIndex piece, const Nearness& nearness) const {
+    return hull_around(corners(piece), normal(piece), nearness);
+  }
   /// A sphere around it.
   [[nodiscard]] const glm::dvec3& centre(PieceIndex piece) const { return measures_[piece].centre; }
   [[nodiscard]] double radius(PieceIndex piece) const { return measures_[piece].radius; }
@@ -75,7 +77,6 @@ class OverlaySide {
   ChordDeviation chords_;
   std::vector<Measures> measures_;
   double mean_radius_ = 0.0;
-  std::vector<TriangleHull> hulls_;
   ExactRays rays_;
 };
 

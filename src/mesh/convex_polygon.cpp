@@ -113,12 +113,6 @@ TriangleHull hull_around(const std::array<glm::dvec3, 3>& corners, const glm::dv
   return hull;
 }
 
-TriangleHull widened(const TriangleHull& hull, const Nearness& nearness) {
-  TriangleHull wide = hull;
-  for (std::size_t k = 0; k < wide.size(); ++k) wide[k].offset += k < 6 ? nearness.lateral : nearness.normal;
-  return wide;
-}
-
 HullSide side_of(const ConvexPolygon& polygon, const TriangleHull& hull, double rounding) {
   bool inside = true;
   for (const HalfSpace& half : hull) {

@@ -43,8 +43,6 @@ struct Nearness {
 using TriangleHull = std::array<HalfSpace, 8>;
 [[nodiscard]] TriangleHull hull_around(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal,
                                        const Nearness& nearness);
-/// The hull of the same triangle that reaches farther by `nearness`.
-[[nodiscard]] TriangleHull widened(const TriangleHull& hull, const Nearness& nearness);
 
 /// How a polygon lies to a hull; `rounding` is a length that does not count.
 enum class HullSide { inside, outside, across };
