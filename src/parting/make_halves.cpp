@@ -465,7 +465,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
         all.facets.push_back({number + a, number + b, number + c});
     }
     try_all(ExactPart(all, facet_geometry(all), beside.blanks.empty() ? model.frame : unit_frame(bounds(all)),
-                      progress, model.part.effort),
+                      progress, model.part.effort, {.in_front = false}),
             alone, caps);
   };
   const std::optional<TriangleMesh> upright = with_upright_walls(model.part.mesh, frame);

@@ -104,7 +104,7 @@ std::optional<SweptOut> swept_out(const TriangleMesh& body, const SlideBlank& bl
       .frame = {axes.across, axes.up, axes.way}, .centre = glm::dvec3(0.0), .diagonal = 1.0};
   const TriangleMesh& walls = hollow.walls;
   const FacetGeometry geometry = facet_geometry(walls);
-  const ExactPart part(walls, geometry, unit_frame(bounds(walls)), progress);
+  const ExactPart part(walls, geometry, unit_frame(bounds(walls)), progress, 1.0, {.in_front = false});
   const SplitMesh split =
       exact_split(part, {.direction = way, .tau_deg = 0.0, .lateral = 0.0}, progress).mesh;
   const double whole = signed_volume(body);

@@ -19,7 +19,7 @@ constexpr double k_concave_height = 1e-10;
 }  // namespace
 
 ExactPart::ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, const UnitFrame& frame,
-                     const Progress& progress, double effort, bool coplanar)
+                     const Progress& progress, double effort, const ExactPartUse& use)
     : mesh_(mesh), geometry_(geometry), frame_(frame), effort_(effort) {
   progress.report("finding edges", 0.0);
   positions_.reserve(mesh.vertices.size());
@@ -30,8 +30,10 @@ ExactPart::ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, co
   find_equal_facets();
   progress.report("finding crossings", 0.0);
   EncounterBudget budget = encounter_budget(mesh.facets.size(), effort);
-  budget.coplanar = coplanar;
+  budget.coplanar = use.coplanar;
+  budget.in_front = use.in_front;
   encounters_ = facet_encounters(mesh, positions_, geometry.normals, first_equal_, budget, progress);
+  if (!use.in_front) encounters_.in_front.emplace().first.assign(mesh.facets.size() + 1, 0);
   regular_ = regular_ && !any_crossings();
 }
 

@@ -25,6 +25,12 @@ struct ExactEdge {
   EdgeKind kind = EdgeKind::convex_or_flat;
 };
 
+/// What is found of a part beyond where its facets cross.
+struct ExactPartUse {
+  bool coplanar = false;  // facets in one plane cross each other, too
+  bool in_front = true;   // others in front of facets: but for a lateral tolerance nobody asks for them
+};
+
 /// Made once a part, immutable, shared by any number of threads. References must outlive it. Coordinates are
 /// in double in the unit frame, so that areas scale to the bit with the part.
 class ExactPart {
@@ -32,10 +38,9 @@ class ExactPart {
   static constexpr std::uint32_t k_no_edge = ~0U;
 
   /// Takes some 200 bytes a facet, and at most 2 KiB. `effort` multiplies what all that is found of the part
-  /// may cost: beyond it facets are sampled. `coplanar`: facets in one plane cross each other, too. Throws
-  /// Cancelled.
+  /// may cost: beyond it facets are sampled. Throws Cancelled.
   ExactPart(const TriangleMesh& mesh, const FacetGeometry& geometry, const UnitFrame& frame,
-            const Progress& progress, double effort = 1.0, bool coplanar = false);
+            const Progress& progress, double effort = 1.0, const ExactPartUse& use = {});
 
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
   [[nodiscard]] const FacetGeometry& geometry() const { return geometry_; }
@@ -56,7 +61,7 @@ class ExactPart {
   }
   /// False where facets meet so many others that the regions of none of them can be exact.
   [[nodiscard]] bool crossings_known() const { return encounters_.complete; }
-  /// False where too many facets stand in front of others.
+  /// False where too many facets stand in front of others; none are known where nobody asks for them.
   [[nodiscard]] bool knows_in_front() const { return encounters_.in_front.has_value(); }
   /// Only where that is known.
   [[nodiscard]] std::span<const FacetIndex> in_front(FacetIndex facet) const {

@@ -101,7 +101,8 @@ UnionReport unite_bodies(Part& part, const Progress& progress) {
   UnionReport report;
   turn_if_inside_out(part.mesh);
   const FacetGeometry geometry = facet_geometry(part.mesh);
-  const ExactPart exact(part.mesh, geometry, unit_frame(bounds(part.mesh)), progress, part.effort, true);
+  const ExactPart exact(part.mesh, geometry, unit_frame(bounds(part.mesh)), progress, part.effort,
+                        {.coplanar = true});
   if (!exact.closed())
     throw Error(
         part.file +
