@@ -112,23 +112,31 @@ bool is_in(const Bounds& box, const glm::dvec3& point) {
   return glm::all(glm::lessThanEqual(box.min, point)) && glm::all(glm::lessThanEqual(point, box.max));
 }
 
-/// From a point inside a solid to its surface; 0 outside.
-double depth_in(const PartModel& solid, const glm::dvec3& point) {
+/// From a point to what of a solid's surface was found so near (unit frame); infinite where nothing was.
+double distance_within(const PartModel& solid, const glm::dvec3& point, float reach) {
+  double nearest = std::numeric_limits<double>::infinity();
+  solid.rays().visit_near(solid.frame.to_unit(point), reach, [&](FacetIndex facet) {
+    const TriangleMesh& mesh = solid.part.mesh;
+    const glm::dvec3 its =
+        nearest_in_triangle(point, {mesh.corner(facet, 0), mesh.corner(facet, 1), mesh.corner(facet, 2)});
+    nearest = std::min(nearest, glm::distance(its, point));
+    return std::min(reach, static_cast<float>(nearest / solid.frame.diagonal) + 1e-6F);
+  });
+  return nearest;
+}
+
+/// From a point inside a solid to its surface; 0 outside, and where that is no more than allowed.
+double depth_in(const PartModel& solid, const glm::dvec3& point, double allowed) {
   constexpr float k_first_reach = 0.001F, k_last_reach = 2.0F;
   if (!is_in(solid.health.bounds, point)) return 0.0;
+  // Most points of a body touch the part that it forms: that is found sooner than what is inside.
+  double nearest = distance_within(solid, point, k_first_reach);
+  if (nearest <= allowed) return 0.0;
   const glm::vec3 at = solid.frame.to_unit(point);
   for (const glm::dvec3& along : {glm::dvec3(0.3612, 0.6173, 0.6990), glm::dvec3(-0.5127, 0.4391, -0.7377)})
     if (!seems_inside(solid, at, glm::normalize(along))) return 0.0;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (float reach = k_first_reach; reach < k_last_reach && !std::isfinite(nearest); reach *= 4.0F) {
-    solid.rays().visit_near(at, reach, [&](FacetIndex facet) {
-      const TriangleMesh& mesh = solid.part.mesh;
-      const glm::dvec3 its =
-          nearest_in_triangle(point, {mesh.corner(facet, 0), mesh.corner(facet, 1), mesh.corner(facet, 2)});
-      nearest = std::min(nearest, glm::distance(its, point));
-      return std::min(reach, static_cast<float>(nearest / solid.frame.diagonal) + 1e-6F);
-    });
-  }
+  for (float reach = 4.0F * k_first_reach; reach < k_last_reach && !std::isfinite(nearest); reach *= 4.0F)
+    nearest = distance_within(solid, point, reach);
   return std::isfinite(nearest) ? nearest : 0.0;
 }
 
@@ -258,7 +266,7 @@ class Player {
         if (depth > found.hit.depth)
           found.hit = {other != nullptr ? std::optional(other->action) : std::nullopt, depth, point, stage};
       };
-      take(HitStage::rest, depth_in(solid, point));
+      take(HitStage::rest, depth_in(solid, point, allowed_));
       // Out of the part a slide is as narrow as another one beside it needs.
       const bool shank = together && is_slide(action.kind) && !is_in(model_.health.bounds, point);
       if (has_left || shank) continue;
@@ -276,14 +284,15 @@ class Player {
 
   template <typename Place, typename Take>
   void move(const PartModel& solid, bool straight, const Place& place, const Take& take) const {
-    take(depth_in(solid, place(1.0)));
+    take(depth_in(solid, place(1.0), allowed_));
     if (straight) {
       for (const auto& [from, to] : within(solid, place(0.0), place(1.0), allowed_))
-        for (const double share : {0.25, 0.5, 0.75}) take(depth_in(solid, place(glm::mix(from, to, share))));
+        for (const double share : {0.25, 0.5, 0.75})
+          take(depth_in(solid, place(glm::mix(from, to, share)), allowed_));
       return;
     }
     for (int step = 1; step < steps_; ++step)
-      take(depth_in(solid, place(static_cast<double>(step) / steps_)));
+      take(depth_in(solid, place(static_cast<double>(step) / steps_), allowed_));
   }
 
   static constexpr int k_last_turn = 4;
