@@ -12,7 +12,7 @@ constexpr double k_most_per_item = 4.0;  // cells of a grid in a cell
 
 void ProjectionGrid::reset(const Box& box, double cells) {
   const glm::dvec2 size = glm::max(box.high - box.low, glm::dvec2(k_least_extent));
-  const double side = std::sqrt(size.x * size.y / std::max(cells, 1.0));
+  const double side = std::sqrt(size.x * size.y / cells);
   const auto along = [&](double length) { return std::floor(std::clamp(length / side, 1.0, k_most_along)); };
   columns_ = static_cast<std::size_t>(along(size.x));
   rows_ = static_cast<std::size_t>(along(size.y));

@@ -43,8 +43,10 @@ class ProjectionGrid {
   static constexpr std::size_t k_most_growth = 8;  // of the number of entries, by such a grid
   static constexpr std::size_t k_least_cells = 4;  // of such a grid
   static constexpr int k_most_levels = 4;          // of grids in grids
-  /// Entries, beyond which cells are larger than asked for: loose facets as large as the part are in all.
-  static constexpr std::size_t k_entries_an_item = 64, k_always_entries = 4'000'000;
+  /// Entries, beyond which cells are larger than asked for, and of the grids in cells, beyond which there are
+  /// no more of these: loose facets as large as the part are in all cells.
+  static constexpr std::size_t k_entries_an_item = 16, k_always_entries = 250'000;
+  static constexpr std::size_t k_nested_an_item = 64, k_always_nested = 1'000'000;
 
   void reset(const Box& box, double cells);
   /// As many cells as suit so many items of such an extent: narrow ones for items that lie along one line.
@@ -63,8 +65,13 @@ class ProjectionGrid {
     }
     return sum / static_cast<double>(items.size());
   }
+  /// False, and nothing is in the cells, where that would be more entries than `most`.
   template <typename Corners>
-  void fill_level(std::span<const std::uint32_t> items, const Corners& corners, int level);
+  [[nodiscard]] bool fill_cells(std::span<const std::uint32_t> items, const Corners& corners,
+                                std::size_t most);
+  /// Gives crowded cells grids of their own, of so many entries in all, of which it takes theirs.
+  template <typename Corners>
+  void fill_nested(const Corners& corners, int level, std::size_t& entries);
   /// Calls visit(first cell, last cell) for each row of cells that the polygon reaches.
   template <typename Visit>
   void for_each_span(std::span<const glm::dvec2> corners, const Visit& visit) const;
@@ -174,25 +181,30 @@ template <typename Corners>
 void ProjectionGrid::fill(const Box& box, double cells, std::span<const std::uint32_t> items,
                           const Corners& corners) {
   const glm::dvec2 extent = items.empty() ? glm::dvec2(0.0) : mean_extent(items, corners);
-  const auto entries = [&] {
+  const std::size_t most = k_entries_an_item * items.size() + k_always_entries;
+  const auto are_too_many = [&] {
     const glm::dvec2 reach = 1.0 + extent * per_cell_;
+    if (reach.x * reach.y < static_cast<double>(k_entries_an_item)) return false;  // far from too many
     std::size_t sum = 0;
-    if (reach.x * reach.y < static_cast<double>(k_entries_an_item)) return sum;  // far from too many
     glm::dvec2 at[3];
     for (const std::uint32_t item : items) {
       const std::size_t used = corners(item, at);
       for_each_span({at, used}, [&](std::size_t first, std::size_t last) { sum += last + 1 - first; });
+      if (sum > most) return true;
     }
-    return sum;
+    return false;
   };
-  reset(box, cells);
-  const std::size_t most = k_entries_an_item * items.size() + k_always_entries;
-  while (columns_ * rows_ > 1 && entries() > most) reset(box, cells *= 0.25);
-  fill_level(items, corners, 1);
+  reset(box, cells = std::max(cells, 1.0));
+  // Below one where the box is a line, of whose cells there are many all the same.
+  while (columns_ * rows_ > 1 && are_too_many()) reset(box, cells *= 0.25);
+  static_cast<void>(fill_cells(items, corners, ~std::size_t{0}));
+  std::size_t nested = k_nested_an_item * items.size() + k_always_nested;
+  fill_nested(corners, 1, nested);
 }
 
 template <typename Corners>
-void ProjectionGrid::fill_level(std::span<const std::uint32_t> items, const Corners& corners, int level) {
+bool ProjectionGrid::fill_cells(std::span<const std::uint32_t> items, const Corners& corners,
+                                std::size_t most) {
   const std::size_t cells = columns_ * rows_;
   struct Span {
     std::uint32_t first, last;
@@ -203,12 +215,15 @@ void ProjectionGrid::fill_level(std::span<const std::uint32_t> items, const Corn
   // Counted two places on, so that while items are put in, first_[cell + 1] is where the next one goes.
   first_.assign(cells + 2, 0);
   glm::dvec2 at[3];
+  std::size_t sum = 0;
   for (const std::uint32_t item : items) {
     const std::size_t used = corners(item, at);
     for_each_span({at, used}, [&](std::size_t first, std::size_t last) {
+      sum += last + 1 - first;
       spans.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last), item});
       for (std::size_t cell = first; cell <= last; ++cell) ++first_[cell + 2];
     });
+    if (sum > most) return false;
   }
   for (std::size_t cell = 2; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
   items_.resize(first_.back());
@@ -216,9 +231,15 @@ void ProjectionGrid::fill_level(std::span<const std::uint32_t> items, const Corn
     for (std::size_t cell = span.first; cell <= span.last; ++cell) items_[first_[cell + 1]++] = span.item;
   }
   first_.pop_back();
+  return true;
+}
+
+template <typename Corners>
+void ProjectionGrid::fill_nested(const Corners& corners, int level, std::size_t& entries) {
   nested_.clear();
   nested_of_cell_.clear();
   if (level == k_most_levels) return;
+  const std::size_t cells = columns_ * rows_;
   for (std::size_t cell = 0; cell < cells; ++cell) {
     const auto in_cell = items_between(cell, cell);
     if (in_cell.size() <= k_many) continue;
@@ -228,8 +249,9 @@ void ProjectionGrid::fill_level(std::span<const std::uint32_t> items, const Corn
     nested.shape({low, low + 1.0 / per_cell_}, in_cell.size(), mean_extent(in_cell, corners));
     // Items as large as the cell are no fewer in a part of it.
     if (nested.columns_ * nested.rows_ < k_least_cells) continue;
-    nested.fill_level(in_cell, corners, level + 1);
-    if (nested.items_.size() > k_most_growth * in_cell.size()) continue;
+    if (!nested.fill_cells(in_cell, corners, std::min(k_most_growth * in_cell.size(), entries))) continue;
+    entries -= nested.items_.size();
+    nested.fill_nested(corners, level + 1, entries);
     if (nested_of_cell_.empty()) nested_of_cell_.assign(cells, k_none);
     nested_of_cell_[cell] = static_cast<std::uint32_t>(nested_.size());
     nested_.push_back(std::move(nested));
