@@ -33,7 +33,7 @@ constexpr std::size_t k_projection_grain = 4096;
 /// The budget: entries of grids that are looked at for all facets, and the cells that they may be cut into.
 constexpr std::uint64_t k_always_work = 1'000'000, k_work_a_facet = 300;
 constexpr std::uint32_t k_most_work = 1U << 30U, k_least_cells = 64, k_most_cells = 1U << 22U;
-constexpr double k_always_cells = 100'000.0, k_cells_a_facet = 20.0;
+constexpr double k_always_cells = 100'000.0, k_cells_a_facet = 8.0;
 constexpr double k_most_lattice = 16.0;
 /// Facets that are looked at for the points of lattices, which stand where the grids are crowded.
 constexpr double k_always_point_looks = 2e7, k_point_looks_a_facet = 2000.0;
