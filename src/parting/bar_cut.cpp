@@ -65,19 +65,23 @@ class BarCutter {
         if (std::ranges::find(order, side) == order.end()) order.push_back(side);
       }
     }
+    std::vector<std::uint8_t> near(mesh_.pieces.size(), 1);
     for (const std::size_t side : order) {
-      std::vector<std::uint8_t> near;
-      for (const SplitPiece& piece : mesh_.pieces) {
-        bool may_be = true;
-        for (std::size_t other = 0; other < planes_.size(); ++other)
-          may_be = may_be && std::ranges::any_of(piece.corners, [&](VertexIndex corner) {
-                     return off(corner, other) < -tolerance_;
-                   });
-        near.push_back(may_be ? 1 : 0);
+      for (std::size_t piece = 0; piece < near.size(); ++piece) {
+        if (near[piece] != 0 && is_beyond(mesh_.pieces[piece])) near[piece] = 0;
       }
       const HalfSpace& half = planes_[side];
       cut_at_height(mesh_, near, {.direction = half.normal, .height = half.offset, .tolerance = tolerance_});
     }
+  }
+  /// Whether it is wholly beyond one of the planes.
+  [[nodiscard]] bool is_beyond(const SplitPiece& piece) const {
+    for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
+      if (std::ranges::none_of(piece.corners,
+                               [&](VertexIndex corner) { return off(corner, plane) < -tolerance_; }))
+        return true;
+    }
+    return false;
   }
 
   /// Vertices that are one for the walls are one, the one that lies in most planes.
