@@ -25,8 +25,6 @@ constexpr double k_off_shelf = 1e-8;
 constexpr double k_depths[] = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4};
 constexpr double k_clear = 1e-6;
 constexpr double k_held = 1e-4;  // less of a way is touched, not blocked
-/// What of an insert is no thicker is a skin on a wall that leans by rounding.
-constexpr double k_skin = 1.0 / 4096.0;
 /// So much do storeys overlap.
 constexpr double k_overlap = 1.1e-3;
 constexpr std::size_t k_section_lines = 64, k_most_steps = 1500, k_exit_lines = 150;
@@ -169,11 +167,9 @@ class BlankMaker {
     for (const TriangleMesh* insert : wish_.inserts) {
       const auto own = depth_columns(*insert, frame_, grid);
       for (std::size_t line = 0; line < grid.lines(); ++line) {
-        const auto thick = std::ranges::find_if(own[line].rbegin(), own[line].rend(),
-                                                [](const Stretch& s) { return s.to - s.from > k_skin; });
-        if (thick == own[line].rend()) continue;
+        if (own[line].empty()) continue;
         ++formed;
-        const double out = thick->to;
+        const double out = own[line].back().to;
         if (!part[line].empty() && part[line].back().from > out - k_clear) {
           ++behind;
           continue;
