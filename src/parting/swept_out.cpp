@@ -48,18 +48,18 @@ Hollow hollow_of(const TriangleMesh& body, const SlideBlank& blank) {
   }
   Hollow hollow;
   hollow.walls.vertices = hollow.end.vertices = body.vertices;
-  for (const auto& [a, b, c] : body.facets) {
+  for (const auto& facet : body.facets) {
     const auto in_end = [&](std::size_t side) {
-      return std::ranges::all_of(std::array{a, b, c}, [&](VertexIndex corner) {
+      return std::ranges::all_of(facet, [&](VertexIndex corner) {
         const glm::dvec3& at = body.vertices[corner];
         return lies_in(at, side) && glm::all(glm::lessThanEqual(low[side], at)) &&
                glm::all(glm::lessThanEqual(at, high[side]));
       });
     };
     if (in_end(0) || in_end(1)) {
-      hollow.end.facets.push_back({a, b, c});
+      hollow.end.facets.push_back(facet);
     } else {
-      hollow.walls.facets.push_back({a, c, b});
+      hollow.walls.facets.push_back({facet[0], facet[2], facet[1]});
     }
   }
   return hollow;
