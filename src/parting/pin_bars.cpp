@@ -23,7 +23,7 @@ constexpr double k_fit = 1e-4, k_in_wall = 1e-3;
 constexpr double k_seat = 0.3;        // of the land, into steel at the far end of a hole
 constexpr double k_long = 0.25;       // of the longest line: less of what it forms are skins beside the hole
 constexpr double k_beside_rim = 3.0;  // cells off lines that long: one that meets an edge may be missed
-constexpr std::size_t k_pin_lines = 64;
+constexpr std::size_t k_pin_lines = 64, k_most_sides = 256;
 constexpr double k_most_off = 1e-9;    // of the block's volume
 constexpr double k_rest_of_pin = 4.0;  // as thick as what slides that share a body leave to the plastic
 
@@ -70,7 +70,9 @@ std::vector<HalfPlane> sides_around(const std::vector<glm::dvec2>& outline, doub
     const glm::dvec2 normal(along.y, -along.x);
     own.push_back({normal, glm::dot(normal, outline[k])});
   }
-  for (const HalfPlane& side : own) sides.push_back({side.normal, side.offset + 0.5 * fit});
+  const std::size_t step = 1 + own.size() / k_most_sides;
+  for (std::size_t k = 0; k < own.size(); k += step)
+    sides.push_back({own[k].normal, own[k].offset + 0.5 * fit});
   while (sides.size() > 3) {
     std::size_t least = 0;
     double least_off = INFINITY;
