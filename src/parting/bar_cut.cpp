@@ -210,14 +210,14 @@ class BarCutter {
   /// The end's wall is bounded by the sides, as far as the solid is there.
   bool join_at_end() {
     if (!room_.end) return true;
-    const std::size_t end = room_.sides.size(), count = end;
+    const std::size_t sides = room_.sides.size(), end = sides;
     const std::map<VertexIndex, int> ends = rim_ends(end);
-    for (std::size_t side = 0; side < count; ++side) {
+    for (std::size_t side = 0; side < sides; ++side) {
       std::vector<VertexIndex> on_line;
       for (const auto& [vertex, sign] : ends) {
         if (sign != 0 && lies_in(vertex, side)) on_line.push_back(vertex);
       }
-      for (const std::size_t corner : {(side + count - 1) % count, side}) {
+      for (const std::size_t corner : {(side + sides - 1) % sides, side}) {
         if (corners_.contains(corner)) on_line.push_back(corners_.at(corner));
       }
       if (on_line.size() % 2 != 0) return false;

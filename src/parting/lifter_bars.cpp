@@ -10,15 +10,12 @@
 
 #include "mesh/health.hpp"
 #include "parting/halves/bodies.hpp"
-#include "parting/halves/depth_columns.hpp"
 #include "parting/mold_files.hpp"
 #include "parting/slide_blank.hpp"
 
 namespace moldlight {
 
 namespace {
-
-constexpr double k_most_lost = 1e-9;  // of the block's volume
 
 /// An insert with this corner goes.
 void take_out(const glm::dvec3& corner, double unit, MoldHalves& put) {
@@ -94,12 +91,10 @@ std::string LifterBars::put_one(const Bar& bar, std::size_t number, double unit,
   if (connected_bodies(cut->inside.vertices.size(), cut->inside.facets).size() != 1)
     return "its bar is not of one piece";
   if (std::string why = fault_of(bar, plain_.as_in_part(cut->inside), rooms); !why.empty()) return why;
-  MoldBody body{.mesh = std::move(cut->inside),
-                .name = fmt::format("lifter_{}", number),
-                .kind = PieceKind::lifter,
-                .action = bar.action};
-  body.volume = signed_volume(body.mesh);
-  body.thinnest = thinnest_of(body.mesh);
+  MoldBody body = mold_body(std::move(cut->inside));
+  body.name = fmt::format("lifter_{}", number);
+  body.kind = PieceKind::lifter;
+  body.action = bar.action;
   put.insert_volume += body.volume;
   if (!put_body(put, 2 + put.inserts.size(), std::move(body), k_needle * unit, progress_))
     return "facets of it cross each other by rounding";
@@ -223,10 +218,8 @@ bool LifterBars::put(MoldHalves& halves) {
          why);
     return false;
   }
-  with.volume_gap =
-      (with.block_volume - with.core.volume - with.cavity.volume - with.part_volume - with.insert_volume) /
-      with.block_volume;
-  if (std::abs(with.volume_gap) > k_most_lost) {
+  with.volume_gap = with.share_left();
+  if (std::abs(with.volume_gap) > k_most_gap_of_pieces) {
     give_up("halves, lifters and part do not fill the block");
     return false;
   }

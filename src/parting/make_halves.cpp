@@ -363,9 +363,7 @@ class Trial {
                                    capped_ * diagonal * diagonal * diagonal);
     halves_.upright_volume =
         halves_.part_volume - scale * centred_volume(asked_.model.part.mesh, asked_.model.frame.center);
-    halves_.volume_gap = (halves_.block_volume - halves_.core.volume - halves_.cavity.volume -
-                          halves_.part_volume - halves_.insert_volume) /
-                         halves_.block_volume;
+    halves_.volume_gap = halves_.share_left();
     if (std::abs(halves_.volume_gap) > k_most_gap)
       return MoldFault{
           fmt::format("the volumes of halves, part and inserts differ from the block by {:.2g} of it",

@@ -19,6 +19,7 @@
 #include "mesh/facet_geometry.hpp"
 #include "mesh/flat_faces.hpp"
 #include "mesh/length_unit.hpp"
+#include "parting/halves/depth_columns.hpp"
 #include "parting/halves/tidy_solid.hpp"
 
 namespace moldlight {
@@ -222,6 +223,7 @@ bool put_body(MoldHalves& halves, std::size_t number, MoldBody body, double thin
   WrittenBody written =
       written_body(halves, body, halves.written, written_pull(halves, halves.written, number), open_at);
   if (!written.closed) return false;
+  body.thinnest = thinnest_of(body.mesh);
   if (number < 2) {
     const WrittenBody& known = halves.written.bodies[number];
     written.undercut = known.undercut;

@@ -64,6 +64,13 @@ double MoldHalves::volume(PieceKind kind) const {
   return sum;
 }
 
+MoldBody mold_body(TriangleMesh mesh, double scale) {
+  for (glm::dvec3& vertex : mesh.vertices) vertex *= scale;
+  MoldBody body{.mesh = std::move(mesh), .name = "insert"};
+  body.volume = signed_volume(body.mesh);
+  return body;
+}
+
 bool is_speck(const MoldBody& body, double unit) {
   constexpr double k_thickness = 0.5 / 2048.0;  // of the diagonal
   return 2.0 * std::abs(body.volume) <= k_thickness * unit * facet_geometry(body.mesh).total_area;

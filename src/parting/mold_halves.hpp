@@ -166,9 +166,16 @@ struct MoldHalves {
     return other.contact_area >= k_same * contact_area && mended_facets < other.mended_facets;
   }
   [[nodiscard]] bool made() const { return refusal.empty(); }
+  /// What bodies and part leave of the block, as a share of it.
+  [[nodiscard]] double share_left() const {
+    return (block_volume - core.volume - cavity.volume - part_volume - insert_volume) / block_volume;
+  }
   [[nodiscard]] std::size_t count(PieceKind kind) const;
   [[nodiscard]] double volume(PieceKind kind) const;
 };
+
+/// Of a closed mesh, enlarged so, with its volume.
+[[nodiscard]] MoldBody mold_body(TriangleMesh mesh, double scale = 1.0);
 
 /// What is thinner on average than half the usual lateral tolerance is no insert: the plastic fills it.
 /// `unit`: the part's diagonal, with the shrinkage.

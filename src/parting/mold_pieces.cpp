@@ -9,8 +9,6 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "mesh/health.hpp"
-#include "parting/halves/depth_columns.hpp"
 #include "parting/lifter_bars.hpp"
 #include "parting/make_halves.hpp"
 #include "parting/mold_files.hpp"
@@ -25,9 +23,6 @@ namespace {
 
 /// Land around what a slide forms, in shares of the usual one: the first that goes.
 constexpr double k_lands[] = {1.0, 0.3, 0.05};
-
-/// Twice the lateral tolerance may be thick on average what slides that share a body leave to the plastic.
-constexpr double k_rest_of_shared = 4.0;
 
 struct Tried {
   SlideBlank blank;
@@ -214,13 +209,6 @@ class PieceMaker {
       });
       std::vector<TriangleMesh> rest = {plain_.as_in_part(halves.inserts[number].mesh)};
       std::vector<MoldBody> made;
-      const auto as_body = [&](TriangleMesh mesh) {
-        for (glm::dvec3& vertex : mesh.vertices) vertex *= unit;
-        MoldBody body{.mesh = std::move(mesh), .name = "insert"};
-        body.volume = signed_volume(body.mesh);
-        body.thinnest = thinnest_of(body.mesh);
-        return body;
-      };
       for (const std::size_t blank : blanks) {
         std::vector<TriangleMesh> left;
         bool found = false;
@@ -234,7 +222,7 @@ class PieceMaker {
           }
           found = true;
           left.insert(left.end(), swept->left.begin(), swept->left.end());
-          made.push_back(as_body(std::move(swept->moved)));
+          made.push_back(mold_body(std::move(swept->moved), unit));
           made.back().kind = PieceKind::slide;
           made.back().blanks = {blank};
           made.back().name = fmt::format("slide_{}", blank + 1);
@@ -244,8 +232,8 @@ class PieceMaker {
       }
       // What is too thin for an insert the plastic fills.
       for (TriangleMesh& mesh : rest) {
-        MoldBody body = as_body(std::move(mesh));
-        if (is_speck(body, k_rest_of_shared * unit)) {
+        MoldBody body = mold_body(std::move(mesh), unit);
+        if (is_speck(body, k_left_to_plastic * unit)) {
           halves.specks_volume += body.volume;
         } else {
           made.push_back(std::move(body));

@@ -24,8 +24,6 @@ constexpr double k_seat = 0.3;        // of the land, into steel at the far end 
 constexpr double k_long = 0.25;       // of the longest line: less of what it forms are skins beside the hole
 constexpr double k_beside_rim = 3.0;  // cells off lines that long: one that meets an edge may be missed
 constexpr std::size_t k_pin_lines = 64, k_most_sides = 256;
-constexpr double k_most_off = 1e-9;    // of the block's volume
-constexpr double k_rest_of_pin = 4.0;  // as thick as what slides that share a body leave to the plastic
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -179,7 +177,8 @@ class PinRoom {
   bool find_end() {
     const auto part = depth_columns(part_, frame_, grid_);
     const double rim = 0.03 * std::min(grid_.high.x - grid_.low.x, grid_.high.y - grid_.low.y);
-    double low = -INFINITY, high = INFINITY, begin = INFINITY;
+    const double seat = k_seat * wish_.land;
+    double low = -INFINITY, high = INFINITY, highest = -INFINITY, begin = INFINITY;
     std::size_t looked_at = 0, own = 0;
     for (std::size_t line = 0; line < grid_.lines(); ++line) {
       if (inside_by(inner_, grid_.at(line)) < rim) continue;
@@ -190,10 +189,12 @@ class PinRoom {
       if (ends_[line] > -INFINITY && part[line].back().to > ends_[line]) return false;
       low = std::max(low, part[line].back().from);
       high = std::min(high, part[line].back().to);
+      highest = std::max(highest, part[line].back().to);
     }
     if (looked_at == 0 || 2 * own < looked_at) return false;
-    if (!std::isfinite(high)) {
-      end_ = begin - k_seat * wish_.land;
+    // A hole right through, and no wall, or none before the pin's seat.
+    if (highest < begin - seat) {
+      end_ = begin - seat;
       return true;
     }
     end_ = high - std::min(k_in_wall, 0.5 * (high - low));
@@ -232,13 +233,6 @@ TriangleMesh steel_of(const PlainMold& plain, const MoldHalves& halves) {
   return steel;
 }
 
-MoldBody as_mold_body(TriangleMesh mesh) {
-  MoldBody body{.mesh = std::move(mesh), .name = "insert"};
-  body.volume = signed_volume(body.mesh);
-  body.thinnest = thinnest_of(body.mesh);
-  return body;
-}
-
 class PinPutter {
  public:
   PinPutter(const PlainMold& plain, const BarRoom& room, const Progress& progress)
@@ -255,7 +249,8 @@ class PinPutter {
     if (std::string why = cut_bodies(with); !why.empty()) return why;
     // The pin is exact; the halves have walls set upright.
     const double kept = signed_volume(pin->inside) * std::pow(unit_, 3.0) - taken_;
-    if (std::abs(kept) > with.upright_volume + halves.specks_volume + k_most_off * with.block_volume)
+    if (std::abs(kept) >
+        with.upright_volume + halves.specks_volume + k_most_gap_of_pieces * with.block_volume)
       return "pin, halves and part do not fill the block";
     with.part_volume -= kept;
     with.upright_volume = std::max(0.0, with.upright_volume - kept);
@@ -268,19 +263,15 @@ class PinPutter {
     }
     const WayOut out = way_out(pin->inside, plain_.part, way, INFINITY, k_way_slack);
     if (out.blocked > k_way_slack) return plain_.stands_text("the part", out.place);
-    TriangleMesh mesh = std::move(pin->inside);
-    for (glm::dvec3& vertex : mesh.vertices) vertex *= unit_;
-    MoldBody slide = as_mold_body(std::move(mesh));
+    MoldBody slide = mold_body(std::move(pin->inside), unit_);
     slide.kind = PieceKind::slide;
     slide.action = action;
     slide.name = fmt::format("slide_{}", with.count(PieceKind::slide) + 1);
     with.insert_volume += slide.volume;
     if (!put_body(with, 2 + with.inserts.size(), std::move(slide), k_needle * unit_, progress_))
       return "facets of it cross each other by rounding";
-    with.volume_gap =
-        (with.block_volume - with.core.volume - with.cavity.volume - with.part_volume - with.insert_volume) /
-        with.block_volume;
-    if (std::abs(with.volume_gap) > k_most_off) return "pin, halves and part do not fill the block";
+    with.volume_gap = with.share_left();
+    if (std::abs(with.volume_gap) > k_most_gap_of_pieces) return "pin, halves and part do not fill the block";
     if (!with.certified() && halves.certified())
       return "around it the halves would cross themselves by rounding";
     set_in_order(with);
@@ -297,6 +288,14 @@ class PinPutter {
     return cut_by_bar(body, room, unit_);
   }
 
+  /// Whether it is too thin for a piece.
+  bool leave_to_plastic(const MoldBody& left, MoldHalves& with) const {
+    if (!is_speck(left, k_left_to_plastic * unit_)) return false;
+    with.specks_volume += left.volume;
+    with.insert_volume += left.volume;
+    return true;
+  }
+
   std::string cut_bodies(MoldHalves& with) {
     for (const std::size_t half : {0U, 1U}) {
       MoldBody body = half == 0 ? with.core : with.cavity;
@@ -307,16 +306,12 @@ class PinPutter {
       // Chips are left to the plastic.
       bool found = false;
       for (const auto& facets : connected_bodies(cut->outside.vertices.size(), cut->outside.facets)) {
-        TriangleMesh mesh = body_mesh(cut->outside.vertices, facets);
-        if (const MoldBody rest = as_mold_body(mesh); is_speck(rest, k_rest_of_pin * unit_)) {
-          with.specks_volume += rest.volume;
-          with.insert_volume += rest.volume;
-          continue;
-        }
+        MoldBody left = mold_body(body_mesh(cut->outside.vertices, facets));
+        if (leave_to_plastic(left, with)) continue;
         if (found) return "its half would fall apart";
         found = true;
-        body.mesh = std::move(mesh);
-        body.volume = signed_volume(body.mesh);
+        body.mesh = std::move(left.mesh);
+        body.volume = left.volume;
       }
       if (!put_body(with, half, std::move(body), k_needle * unit_, progress_))
         return "around it its half would cross itself by rounding";
@@ -336,10 +331,8 @@ class PinPutter {
       with.insert_volume -= inserts[k].volume;
       taken_ += signed_volume(cut->inside);
       for (const auto& facets : connected_bodies(cut->outside.vertices.size(), cut->outside.facets)) {
-        const MoldBody rest = as_mold_body(body_mesh(cut->outside.vertices, facets));
-        if (!is_speck(rest, k_rest_of_pin * unit_)) return "it leaves some of what it is to form";
-        with.specks_volume += rest.volume;
-        with.insert_volume += rest.volume;
+        if (!leave_to_plastic(mold_body(body_mesh(cut->outside.vertices, facets)), with))
+          return "it leaves some of what it is to form";
       }
     }
     return {};

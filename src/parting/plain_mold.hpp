@@ -19,6 +19,9 @@ namespace moldlight {
 
 /// The lateral tolerance, in diagonals: what moves out may come so near to what stands still.
 inline constexpr double k_way_slack = 1.0 / 2048.0;
+/// So much thicker than a speck may be what slides leave of the bodies that they form: the plastic fills it.
+inline constexpr double k_left_to_plastic = 4.0;
+inline constexpr double k_most_gap_of_pieces = 1e-9;  // of the block's volume, between all pieces
 /// A way that leaves the plane across the direction by more, as a sine, is inclined.
 inline constexpr double k_inclined = 1e-3;
 

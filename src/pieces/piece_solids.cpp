@@ -118,9 +118,7 @@ class SolidMaker {
     const double scale = model_.frame.diagonal * put.scale;
     double more = -put.inserts[insert].volume;
     for (const BodyShare& share : shares) {
-      const BodyCheck check = check_body(share.mesh.vertices, share.mesh.facets);
-      MoldBody body{.mesh = share.mesh, .volume = check.volume * scale * scale * scale};
-      for (glm::dvec3& vertex : body.mesh.vertices) vertex *= scale;
+      MoldBody body = mold_body(share.mesh, scale);
       more += body.volume;
       const std::size_t number = &share == shares.data() ? insert : put.inserts.size();
       if (!put_body(put, number + 2, std::move(body), k_needle * scale, progress_)) return false;

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <ranges>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -35,6 +37,31 @@ Study study_of(const TriangleMesh& mesh) {
   return Study(prepare_part(std::move(part), Progress()), questions);
 }
 
+/// The part and all pieces of a mold: a certified one, closed, with `count` pieces of a kind between its
+/// halves and no others, that fill the block without overlap. Nothing where the number of pieces is another.
+std::vector<TriangleMesh> certified_pieces(const TriangleMesh& part, const MoldPieces& pieces, PieceKind kind,
+                                           std::size_t count) {
+  const MoldHalves& halves = pieces.halves;
+  const std::string why = pieces.unmade.empty() ? "" : pieces.unmade.front().why;
+  EXPECT_EQ(halves.count(kind), count) << why;
+  EXPECT_EQ(halves.inserts.size(), count) << why;
+  EXPECT_EQ(halves.written.bodies.size(), 2 + count) << why;
+  if (halves.count(kind) != count || halves.inserts.size() != count) return {};
+  EXPECT_TRUE(halves.certified());
+  EXPECT_LE(std::abs(halves.volume_gap), 1e-9);
+  double volume = halves.part_volume;
+  std::vector<TriangleMesh> bodies = {part};
+  for (const WrittenBody& body : halves.written.bodies) {
+    EXPECT_TRUE(body.closed) << body.name;
+    EXPECT_EQ(body.nonmanifold_edges, 0U) << body.name;
+    volume += body.volume;
+    bodies.push_back(body.mesh);
+  }
+  EXPECT_NEAR(volume / halves.block_volume, 1.0, 1e-9);
+  EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
+  return bodies;
+}
+
 class SlidesOf : public ::testing::TestWithParam<test::Shape (*)(const test::ShapeSettings&)> {};
 
 TEST_P(SlidesOf, FillTheBlockWithTheHalvesAndMoveOut) {
@@ -42,19 +69,10 @@ TEST_P(SlidesOf, FillTheBlockWithTheHalvesAndMoveOut) {
   Study study = study_of(mesh);
   const MoldPieces& pieces = study.find<MoldPieces>(Progress());
   const MoldHalves& halves = pieces.halves;
-  ASSERT_EQ(halves.count(PieceKind::slide), 1U) << (pieces.unmade.empty() ? "" : pieces.unmade.front().why);
-  EXPECT_TRUE(halves.certified());
-  EXPECT_LE(std::abs(halves.volume_gap), 1e-9);
-  ASSERT_EQ(halves.inserts.size(), 1U);
+  const std::vector<TriangleMesh> bodies = certified_pieces(mesh, pieces, PieceKind::slide, 1);
+  ASSERT_FALSE(bodies.empty());
   EXPECT_EQ(halves.inserts[0].name, "slide_1");
   EXPECT_EQ(halves.inserts[0].crossed_facets, 0U);
-  ASSERT_EQ(halves.written.bodies.size(), 3U);
-  std::vector<TriangleMesh> bodies = {mesh};
-  for (const WrittenBody& body : halves.written.bodies) {
-    EXPECT_TRUE(body.closed) << body.name;
-    bodies.push_back(body.mesh);
-  }
-  EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
   // Out of the block's side, past the part; the other way the part holds it.
   const glm::dvec3 way = study.find<ActionPlan>(Progress()).actions[halves.inserts[0].action].direction;
   const double diagonal = study.model().frame.diagonal;
@@ -90,18 +108,8 @@ TEST(MoldPieces, CrossingBoresAreTwoSlides) {
   Study study = study_of(mesh);
   const MoldPieces& pieces = study.find<MoldPieces>(Progress());
   const MoldHalves& halves = pieces.halves;
-  ASSERT_EQ(halves.count(PieceKind::slide), 2U) << (pieces.unmade.empty() ? "" : pieces.unmade.front().why);
-  ASSERT_EQ(halves.inserts.size(), 2U);
-  EXPECT_TRUE(halves.certified());
-  double volume = halves.part_volume;
-  std::vector<TriangleMesh> bodies = {mesh};
-  for (const WrittenBody& body : halves.written.bodies) {
-    EXPECT_TRUE(body.closed) << body.name;
-    volume += body.volume;
-    bodies.push_back(body.mesh);
-  }
-  EXPECT_NEAR(volume / halves.block_volume, 1.0, 1e-9);
-  EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
+  const std::vector<TriangleMesh> bodies = certified_pieces(mesh, pieces, PieceKind::slide, 2);
+  ASSERT_FALSE(bodies.empty());
   // Either may leave first.
   const double slack = study.model().frame.diagonal / 2048.0;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -156,9 +164,8 @@ TEST(MoldPieces, ASlideMayLeaveAroundAnEdgeOfTheBlock) {
   Study study = study_of(mesh);
   const MoldPieces& pieces = study.find<MoldPieces>(Progress());
   const MoldHalves& halves = pieces.halves;
-  ASSERT_EQ(halves.count(PieceKind::slide), 1U) << (pieces.unmade.empty() ? "" : pieces.unmade.front().why);
-  EXPECT_TRUE(halves.certified());
-  EXPECT_LE(std::abs(halves.volume_gap), 1e-9);
+  const std::vector<TriangleMesh> bodies = certified_pieces(mesh, pieces, PieceKind::slide, 1);
+  ASSERT_FALSE(bodies.empty());
   // It reaches both sides of the block.
   const glm::dvec2 low = halves.block_low * halves.scale * study.model().frame.diagonal;
   std::array<bool, 2> reached{};
@@ -167,9 +174,6 @@ TEST(MoldPieces, ASlideMayLeaveAroundAnEdgeOfTheBlock) {
       reached[static_cast<std::size_t>(axis)] |= std::abs(vertex[axis] - low[axis]) < 1e-6;
   }
   EXPECT_TRUE(reached[0] && reached[1]);
-  std::vector<TriangleMesh> bodies = {mesh};
-  for (const WrittenBody& body : halves.written.bodies) bodies.push_back(body.mesh);
-  EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
 }
 
 /// A plate with three ears and a square hole through all of them.
@@ -205,19 +209,9 @@ TEST(MoldPieces, PinsPassThroughTheSteelInTheGapsOfAHinge) {
   Study study = study_of(mesh);
   const MoldPieces& pieces = study.find<MoldPieces>(Progress());
   const MoldHalves& halves = pieces.halves;
-  ASSERT_EQ(halves.count(PieceKind::slide), 2U) << (pieces.unmade.empty() ? "" : pieces.unmade.front().why);
+  const std::vector<TriangleMesh> bodies = certified_pieces(mesh, pieces, PieceKind::slide, 2);
+  ASSERT_FALSE(bodies.empty());
   EXPECT_TRUE(pieces.unmade.empty());
-  EXPECT_TRUE(halves.certified());
-  ASSERT_EQ(halves.inserts.size(), 2U);
-  double volume = halves.part_volume;
-  std::vector<TriangleMesh> bodies = {mesh};
-  for (const WrittenBody& body : halves.written.bodies) {
-    EXPECT_TRUE(body.closed) << body.name;
-    volume += body.volume;
-    bodies.push_back(body.mesh);
-  }
-  EXPECT_NEAR(volume / halves.block_volume, 1.0, 1e-9);
-  EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
   // Each is one body and leaves past all others; one ends in a gap, where the other way steel holds it.
   const double diagonal = study.model().frame.diagonal;
   std::size_t held = 0;
@@ -280,20 +274,8 @@ void expect_lifters(const TriangleMesh& mesh, std::size_t count) {
   Study study = study_of(mesh);
   const MoldPieces& pieces = study.find<MoldPieces>(Progress());
   const MoldHalves& halves = pieces.halves;
-  ASSERT_EQ(halves.count(PieceKind::lifter), count)
-      << (pieces.unmade.empty() ? "" : pieces.unmade.front().why);
-  ASSERT_EQ(halves.inserts.size(), count);
-  EXPECT_TRUE(halves.certified());
-  double volume = halves.part_volume;
-  std::vector<TriangleMesh> bodies = {mesh};
-  for (const WrittenBody& body : halves.written.bodies) {
-    EXPECT_TRUE(body.closed) << body.name;
-    EXPECT_EQ(body.nonmanifold_edges, 0U) << body.name;
-    volume += body.volume;
-    bodies.push_back(body.mesh);
-  }
-  EXPECT_NEAR(volume / halves.block_volume, 1.0, 1e-9);
-  EXPECT_EQ(test::misplaced_points(bodies, 20000, 7), 0U);
+  const std::vector<TriangleMesh> bodies = certified_pieces(mesh, pieces, PieceKind::lifter, count);
+  ASSERT_FALSE(bodies.empty());
   const double slack = study.model().frame.diagonal / 2048.0;
   EXPECT_LE(way_out(bodies[1], mesh, {0, 0, 1}).blocked, slack);
   for (std::size_t k = 0; k < count; ++k) {
