@@ -50,7 +50,7 @@ class BarCutter {
     return beyond(mesh_.vertices[vertex], planes_[plane]);
   }
   [[nodiscard]] bool lies_in(VertexIndex vertex, std::size_t plane) const {
-    constexpr double k_rounding = 16.0;
+    constexpr double k_rounding = 4.0;
     return std::abs(off(vertex, plane)) <= k_rounding * tolerance_;
   }
 
@@ -86,7 +86,7 @@ class BarCutter {
 
   /// Vertices that are one for the walls are one, the one that lies in most planes.
   void weld() {
-    const double near = 10.0 * tolerance_;
+    const double near = 100.0 * tolerance_;
     std::vector<VertexIndex> order(mesh_.vertices.size());
     std::iota(order.begin(), order.end(), VertexIndex{0});
     std::ranges::sort(order, {},

@@ -19,7 +19,7 @@ namespace moldlight {
 namespace {
 
 /// How far around what it forms the pin reaches, and how deep into the wall at its end, in diagonals.
-constexpr double k_fit = 1e-4, k_in_wall = 1e-3;
+constexpr double k_fit = 3e-5, k_in_wall = 1e-3;
 constexpr double k_seat = 0.3;        // of the land, into steel at the far end of a hole
 constexpr double k_long = 0.25;       // of the longest line: less of what it forms are skins beside the hole
 constexpr double k_beside_rim = 3.0;  // cells off lines that long: one that meets an edge may be missed

@@ -3,7 +3,6 @@
 #include "parting/mold_pieces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <ranges>
 #include <string>
@@ -166,17 +165,14 @@ TEST(MoldPieces, ASlideMayLeaveAroundAnEdgeOfTheBlock) {
   const MoldHalves& halves = pieces.halves;
   const std::vector<TriangleMesh> bodies = certified_pieces(mesh, pieces, PieceKind::slide, 1);
   ASSERT_FALSE(bodies.empty());
-  // It reaches both sides of the block.
+  // The edge is its own.
   const glm::dvec2 low = halves.block_low * halves.scale * study.model().frame.diagonal;
-  std::array<bool, 2> reached{};
-  for (const glm::dvec3& vertex : halves.inserts[0].mesh.vertices) {
-    for (const int axis : {0, 1})
-      reached[static_cast<std::size_t>(axis)] |= std::abs(vertex[axis] - low[axis]) < 1e-6;
-  }
-  EXPECT_TRUE(reached[0] && reached[1]);
+  EXPECT_TRUE(std::ranges::any_of(halves.inserts[0].mesh.vertices, [&](const glm::dvec3& vertex) {
+    return glm::distance(glm::dvec2(vertex), low) < 1e-6;
+  }));
 }
 
-/// A plate with three ears and a square hole through all of them.
+/// A plate with three ears and a hole of 20 sides through all of them.
 TriangleMesh hinge_leaf() {
   const test::Loop2 comb = {{0, 0},   {60, 0},  {60, 5}, {58, 5}, {58, 24}, {50, 24}, {50, 5}, {34, 5},
                             {34, 24}, {26, 24}, {26, 5}, {10, 5}, {10, 24}, {2, 24},  {2, 5},  {0, 5}};
@@ -189,7 +185,12 @@ TriangleMesh hinge_leaf() {
   }
   solid.face(front);
   solid.face(back);
-  const auto hole = [](double x) { return test::Loop{{x, 10, 12}, {x, 20, 12}, {x, 20, 18}, {x, 10, 18}}; };
+  const test::Loop2 circle = test::regular_polygon(20, 4.0, 4.0);
+  const auto hole = [&](double x) {
+    test::Loop loop;
+    for (const glm::dvec2& p : circle) loop.emplace_back(x, 15.0 + p.x, 15.0 + p.y);
+    return loop;
+  };
   for (std::size_t k = 0; k < comb.size(); ++k) {
     const glm::dvec2 &a = comb[k], &b = comb[(k + 1) % comb.size()];
     std::vector<test::Loop> holes;
@@ -198,8 +199,10 @@ TriangleMesh hinge_leaf() {
   }
   for (const double x : {2.0, 26.0, 50.0}) {
     const test::Loop left = hole(x), right = hole(x + 8.0);
-    for (std::size_t k = 0; k < 4; ++k)
-      solid.face({right[k], right[(k + 1) % 4], left[(k + 1) % 4], left[k]});
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const std::size_t next = (k + 1) % left.size();
+      solid.face({right[k], right[next], left[next], left[k]});
+    }
   }
   return solid.mesh();
 }
@@ -222,7 +225,8 @@ TEST(MoldPieces, PinsPassThroughTheSteelInTheGapsOfAHinge) {
     double against = 0.0;
     for (std::size_t other = 0; other < bodies.size(); ++other) {
       if (other == 3 + k) continue;
-      EXPECT_LE(way_out(slide, bodies[other], way).blocked, diagonal / 2048.0) << k << other;
+      EXPECT_LE(way_out(slide, bodies[other], way, INFINITY, 2e-4 * diagonal).blocked, diagonal / 2048.0)
+          << k << other;
       if (other == 1 || other == 2) against = std::max(against, way_out(slide, bodies[other], -way).blocked);
     }
     held += against > 0.01 * diagonal ? 1 : 0;
