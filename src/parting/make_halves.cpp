@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@
 #include "parting/mold_files.hpp"
 #include "parting/mold_settings.hpp"
 #include "parting/part_sheets.hpp"
+#include "parting/upright_walls.hpp"
 #include "parting/wall_caps.hpp"
 
 namespace moldlight {
@@ -42,6 +44,10 @@ constexpr BodySheets k_fill{.sheets = k_hidden | k_beside, .turned = k_hidden};
 /// Upright walls lower than this share of the diagonal are no contact, and less than this share of what was
 /// given by hand is not missed.
 constexpr double k_least_contact = 1.1e-4, k_least_missed = 1e-5;
+/// Walls are set upright that are off by at most so much.
+constexpr double k_usual_lateral = 1.0 / 2048.0;  // of the diagonal
+constexpr double k_upright_reach = 2.0;           // lateral tolerances
+constexpr double k_level_enough = 0.9;            // of the surface, in one plane
 using Facets = std::vector<std::array<SheetVertex, 3>>;
 
 MoldBody scaled_body(const std::vector<glm::dvec3>& vertices, const Facets& facets, double scale) {
@@ -78,8 +84,8 @@ std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
 
 /// What the halves are made from.
 struct HalvesWish {
-  const SplitMesh& split;
-  const TriangleMesh& mesh;  // of which that is, and of what is beside it
+  const SplitMesh& split;    // numbers facets as the part does, then those of what is beside it
+  const TriangleMesh& mesh;  // the part, with upright walls
   const Beside& beside;
   const PartModel& model;
   const MeetingPlace& place;
@@ -138,8 +144,8 @@ class Trial {
   /// The sheets with the parting surface between them.
   std::optional<MoldFault> make_surface(const Progress& progress) {
     const double diagonal = frame_.diagonal;
-    PartSheets part = part_sheets(asked_.split, static_cast<FacetIndex>(asked_.mesh.facets.size()), frame_,
-                                  attempt_, asked_.caps);
+    PartSheets part = part_sheets(asked_.split, static_cast<FacetIndex>(asked_.model.part.mesh.facets.size()),
+                                  frame_, attempt_, asked_.caps);
     sheets_ = std::move(part.sheets);
     capped_ = part.added;
     progress.report(k_halves_stage, 0.1);
@@ -403,6 +409,21 @@ class Trial {
   Facets fill_;
 };
 
+/// Whether a half as it is written hides some of its own surface from its pull, by more than rounding.
+bool hides_itself(const MoldHalves& halves, const Progress& progress) {
+  constexpr double k_most_hidden = 1e-6, k_hair = 1e-6, k_upright_deg = 0.01;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const TriangleMesh& half = halves.written.bodies[k].mesh;
+    const FacetGeometry geometry = facet_geometry(half);
+    const ExactPart part(half, geometry, unit_frame(bounds(half)), progress);
+    const glm::dvec3 up = halves.written.part_frame ? halves.frame.z : glm::dvec3(0, 0, 1);
+    const ExactAreas found =
+        exact_areas(part, {.direction = up, .tau_deg = k_upright_deg, .lateral = k_hair}, progress);
+    if (found.areas[Region::undercut] > k_most_hidden * geometry.total_area) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, const MeetingPlace& place,
@@ -430,16 +451,24 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
   std::optional<MoldFault> first;
   std::optional<MoldHalves> best;
   const SheetFrame frame{halves.frame, halves.centre, model.frame.diagonal};
-  const auto try_all = [&](const ExactPart& part, const TriangleMesh& alone, const WallCaps* caps = nullptr) {
+  // Whether what was found is certified.
+  const auto try_all = [&](const ExactPart& exact, const UprightPart& part, const WallCaps* caps = nullptr) {
     SplitMesh split =
-        exact_split(part, {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress).mesh;
+        exact_split(exact, {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress).mesh;
+    for (SplitPiece& piece : split.pieces) {
+      const std::size_t own = part.facet_of.size();
+      piece.facet = piece.facet < own
+                        ? part.facet_of[piece.facet]
+                        : static_cast<FacetIndex>(piece.facet - own + model.part.mesh.facets.size());
+    }
     if (caps != nullptr) split = caps->cut(split);
-    const HalvesWish asked{split, alone, beside, model, place, assigned, settings, caps};
+    const HalvesWish asked{split, part.mesh, beside, model, place, assigned, settings, caps};
     std::size_t tried = 0;
     first.reset();
+    std::optional<MoldHalves> found;
     for (const SheetTolerance& attempt : k_sheet_attempts) {
-      if (tried >= k_most_beside && !beside.blanks.empty()) return;
-      if (best && tried >= k_most_tries_for_cleaner) return;
+      if (tried >= k_most_beside && !beside.blanks.empty()) break;
+      if (found && tried >= k_most_tries_for_cleaner) break;
       ++tried;
       progress.report(k_halves_stage, 0.0);
       MoldHalves attempted = halves;
@@ -448,13 +477,18 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
         continue;
       }
       const bool clean = attempted.clean() || (!beside.blanks.empty() && attempted.certified());
-      if (!best || attempted.better_than(*best)) best = std::move(attempted);
-      if (clean) return;
+      if (!found || attempted.better_than(*found)) found = std::move(attempted);
+      if (clean) break;
     }
+    if (found && part.mesh.facets.size() != model.part.mesh.facets.size() && hides_itself(*found, progress))
+      return false;
+    const bool certified = found && found->certified();
+    if (found && (!best || found->nicer_than(*best))) best = std::move(found);
+    return certified;
   };
   // The part's mesh, with the other bodies.
-  const auto try_mesh = [&](const TriangleMesh& alone, const WallCaps* caps = nullptr) {
-    TriangleMesh all = alone;
+  const auto try_mesh = [&](const UprightPart& part, const WallCaps* caps = nullptr) {
+    TriangleMesh all = part.mesh;
     for (const SlideBlank& blank : beside.blanks) {
       const auto number = static_cast<VertexIndex>(all.vertices.size());
       for (const glm::dvec3& vertex : blank.mesh.vertices)
@@ -462,22 +496,30 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
       for (const auto& [a, b, c] : blank.mesh.facets)
         all.facets.push_back({number + a, number + b, number + c});
     }
-    try_all(ExactPart(all, facet_geometry(all), beside.blanks.empty() ? model.frame : unit_frame(bounds(all)),
-                      progress, model.part.effort, {.in_front = false}),
-            alone, caps);
+    const FacetGeometry geometry = facet_geometry(all);
+    const ExactPart exact(all, geometry, beside.blanks.empty() ? model.frame : unit_frame(bounds(all)),
+                          progress, model.part.effort, {.in_front = false});
+    return try_all(exact, part, caps);
   };
-  const std::optional<TriangleMesh> upright = with_upright_walls(model.part.mesh, frame);
-  if (place.line != nullptr && place.sides != nullptr && place.line->is_planar(model.frame.diagonal)) {
-    const WallCaps caps(*place.sides, *place.line, frame);
-    try_mesh(upright ? *upright : model.part.mesh, &caps);
+  UprightPart own{.mesh = model.part.mesh,
+                  .facet_of = std::vector<FacetIndex>(model.part.mesh.facets.size())};
+  std::iota(own.facet_of.begin(), own.facet_of.end(), FacetIndex{0});
+  const double lateral =
+      place.sides != nullptr ? place.sides->lateral : k_usual_lateral * model.frame.diagonal;
+  std::optional<WallCaps> caps;
+  if (place.line != nullptr && place.sides != nullptr && place.line->is_planar(model.frame.diagonal))
+    caps.emplace(*place.sides, *place.line, frame);
+  // Round walls divided, which may make others lean, then not.
+  for (const double reach : {k_upright_reach * lateral / model.frame.diagonal, 0.0}) {
+    if (best && best->certified() && best->surface.shelf_share() > k_level_enough) break;
+    const auto upright = with_upright_walls(model.part.mesh, frame, reach, progress);
+    const bool capped = caps && try_mesh(upright ? *upright : own, &*caps);
+    if (upright && !capped) try_mesh(*upright);
   }
-  if (!best || !best->certified()) {
-    if (upright) try_mesh(*upright);
-    if (!beside.blanks.empty()) {
-      if (!best) try_mesh(model.part.mesh);
-    } else if (!best || !best->clean() || best->contact_area > 0.0) {
-      try_all(model.exact(progress), model.part.mesh);
-    }
+  if (!beside.blanks.empty()) {
+    if (!best) try_mesh(own);
+  } else if (!best || !best->clean() || best->contact_area > 0.0) {
+    try_all(model.exact(progress), own);
   }
   if (best) {
     best->core.thinnest = thinnest_of(best->core.mesh);

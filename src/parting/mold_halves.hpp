@@ -165,6 +165,15 @@ struct MoldHalves {
     if (contact_area < k_same * other.contact_area) return true;
     return other.contact_area >= k_same * contact_area && mended_facets < other.mended_facets;
   }
+  /// Of two that can be made: one that is certified, has a flat edge, or more of its surface in one plane.
+  [[nodiscard]] bool nicer_than(const MoldHalves& other) const {
+    constexpr double k_same = 0.01, k_flat_rim = 1e-3;
+    if (certified() != other.certified()) return certified();
+    const double rim = surface.rim_range() - other.surface.rim_range();
+    if (std::abs(rim) > k_flat_rim * part_height) return rim < 0.0;
+    const double more = surface.shelf_share() - other.surface.shelf_share();
+    return std::abs(more) > k_same ? more > 0.0 : better_than(other);
+  }
   [[nodiscard]] bool made() const { return refusal.empty(); }
   /// What bodies and part leave of the block, as a share of it.
   [[nodiscard]] double share_left() const {

@@ -102,7 +102,7 @@ std::string made_text(const MoldReport& report) {
   std::string text =
       fmt::format("{}, {}, {}", shut_offs == 0 ? std::string("no shut-off") : plural(shut_offs, "shut-off"),
                   rises(surface.high - surface.low, "planar parting surface", "parting surface"),
-                  rises(surface.rim_high - surface.rim_low, "flat edge", "edge"));
+                  rises(surface.rim_range(), "flat edge", "edge"));
   if (!halves.contacts.empty())
     text += fmt::format(", {} of steel on steel without draft", plural(halves.contacts.size(), "place"));
   for (const PieceKind kind : {PieceKind::slide, PieceKind::lifter, PieceKind::insert}) {

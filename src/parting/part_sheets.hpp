@@ -51,9 +51,4 @@ struct HandWalls {
 /// Where the ends of the sheets `upper` and `lower` do not sum up to nothing over a segment.
 [[nodiscard]] std::optional<MoldFault> residual(const Sheets& sheets, double diagonal);
 
-/// The mesh with these walls exactly upright, its facets in their order: vertices move across the direction
-/// alone, by less than 2e-5 of the diagonal. None where all such walls stand upright already, or cannot.
-[[nodiscard]] std::optional<TriangleMesh> with_upright_walls(const TriangleMesh& mesh,
-                                                             const SheetFrame& frame);
-
 }  // namespace moldlight

@@ -1,3 +1,5 @@
+#include "parting/upright_walls.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -5,16 +7,19 @@
 #include <gtest/gtest.h>
 
 #include "classify/part_model.hpp"
+#include "mesh/facet_geometry.hpp"
+#include "mesh/health.hpp"
 #include "parting/make_halves.hpp"
-#include "parting/part_sheets.hpp"
 #include "parting/planar_line.hpp"
 #include "support/classify_mesh.hpp"
 #include "support/random.hpp"
+#include "support/shared_parts.hpp"
 
 namespace moldlight {
 namespace {
 
 constexpr std::uint32_t k_sides = 24, k_twisted = 60;
+constexpr double k_reach = 2.0 / 2048.0;
 
 struct PrismShape {
   double top = 1.0;       // radius above; 1 below
@@ -57,8 +62,9 @@ SheetFrame frame_of(const TriangleMesh& mesh) {
 
 TEST(UprightWalls, StandExactlyUprightAndHardlyMove) {
   const TriangleMesh mesh = prism({.rounding = 2e-6});
-  const auto upright = with_upright_walls(mesh, frame_of(mesh));
-  ASSERT_TRUE(upright);
+  const auto part = with_upright_walls(mesh, frame_of(mesh), 0.0, Progress());
+  ASSERT_TRUE(part);
+  const TriangleMesh* upright = &part->mesh;
   ASSERT_EQ(upright->facets, mesh.facets);
   for (std::uint32_t k = 0; k < k_sides; ++k) {
     const glm::dvec3 &below = upright->vertices[k], &above = upright->vertices[k_sides + k];
@@ -73,8 +79,33 @@ TEST(UprightWalls, StandExactlyUprightAndHardlyMove) {
 
 TEST(UprightWalls, WithDraftKeepIt) {
   const TriangleMesh drafted = prism({.top = 0.99}), upright = prism({});
-  EXPECT_FALSE(with_upright_walls(drafted, frame_of(drafted)));
-  EXPECT_FALSE(with_upright_walls(upright, frame_of(upright)));
+  EXPECT_FALSE(with_upright_walls(drafted, frame_of(drafted), k_reach, Progress()));
+  EXPECT_FALSE(with_upright_walls(upright, frame_of(upright), k_reach, Progress()));
+  // Every other facet leans a little, but all to one side.
+  const TriangleMesh twisted = prism({.top = 0.9985, .sides = 80, .twist = 0.5});
+  EXPECT_FALSE(with_upright_walls(twisted, frame_of(twisted), k_reach, Progress()));
+}
+
+TEST(UprightWalls, AreDividedWhereFacetsOfARoundWallLeanBothWays) {
+  const TriangleMesh mesh = twisted_prism(1.0);
+  const auto part = with_upright_walls(mesh, frame_of(mesh), k_reach, Progress());
+  ASSERT_TRUE(part);
+  // Each corner of a ring divides the other ring's side.
+  ASSERT_EQ(part->mesh.vertices.size(), mesh.vertices.size() + 2 * k_twisted);
+  ASSERT_EQ(part->facet_of.size(), part->mesh.facets.size());
+  const FacetGeometry own = facet_geometry(mesh), divided = facet_geometry(part->mesh);
+  for (FacetIndex facet = 0; facet < part->mesh.facets.size(); ++facet) {
+    const double lean = divided.normals[facet].z;
+    EXPECT_TRUE(std::abs(lean) < 1e-12 || std::abs(lean) > 0.5) << facet;
+    EXPECT_GT(glm::dot(divided.normals[facet], own.normals[part->facet_of[facet]]), 0.99) << facet;
+  }
+  // Closed, the prism over both rings' outlines together.
+  EXPECT_NEAR(signed_volume(part->mesh), k_twisted * std::sin(std::numbers::pi / k_twisted), 1e-12);
+}
+
+TEST(UprightWalls, LeaveWhatIsFartherOff) {
+  const TriangleMesh mesh = twisted_prism(1.0);
+  EXPECT_FALSE(with_upright_walls(mesh, frame_of(mesh), 4e-4, Progress()));
 }
 
 TEST(UprightWalls, ThatLeanByRoundingGetASurfaceOfOnePlane) {
@@ -91,16 +122,11 @@ TEST(UprightWalls, ThatLeanByRoundingGetASurfaceOfOnePlane) {
   EXPECT_NEAR(halves.upright_volume / halves.part_volume, 0.0, 1e-5);
 }
 
-TEST(WallCaps, LetHalvesMeetInOnePlaneWhereFacetsLeanBothWays) {
+TEST(UprightWalls, LetHalvesMeetInOnePlaneWhereFacetsLeanBothWays) {
   const auto model = test::model_of(twisted_prism(1.0));
   const glm::dvec3 up(0, 0, 1);
   const MoldLine line = find_mold_line(*model, {up, {}}, {}, Progress{});
   ASSERT_LT(line.line.outer_high - line.line.outer_low, 1e-9);
-
-  const MoldHalves plain =
-      make_halves(*model, up, {.height = line.assignment.height, .line = &line.line}, {}, Progress{});
-  ASSERT_TRUE(plain.made()) << plain.refusal;
-  EXPECT_LT(plain.surface.shelf_share(), 0.99);
 
   const MoldHalves halves = make_halves(*model, up, meeting_place(line), {}, Progress{});
   ASSERT_TRUE(halves.certified()) << halves.refusal;
@@ -111,6 +137,20 @@ TEST(WallCaps, LetHalvesMeetInOnePlaneWhereFacetsLeanBothWays) {
   const double most = std::numbers::pi - 0.5 * k_twisted * std::sin(2.0 * turn);
   EXPECT_GT(halves.upright_volume, 0.0);
   EXPECT_LT(halves.upright_volume, most);
+}
+
+TEST(WallCaps, KeepALineOfOnePlaneLevelBesideAThread) {
+  const auto model = load_part((test::asset_folder() / "parts" / "bottle_cap.stl").string(), {}, Progress{});
+  const glm::dvec3 along(0, 1, 0);
+  const MoldLine line = find_mold_line(*model, {along, {}}, {}, Progress{});
+  ASSERT_TRUE(line.line.is_planar(model->frame.diagonal));
+  const MoldHalves plain =
+      make_halves(*model, along, {.height = line.assignment.height, .line = &line.line}, {}, Progress{});
+  ASSERT_TRUE(plain.made()) << plain.refusal;
+  EXPECT_LT(plain.surface.shelf_share(), 0.995);
+  const MoldHalves halves = make_halves(*model, along, meeting_place(line), {}, Progress{});
+  ASSERT_TRUE(halves.certified()) << halves.refusal;
+  EXPECT_NEAR(halves.surface.shelf_share(), 1.0, 1e-12);
 }
 
 TEST(WallCaps, LeaveWallsThatLeanByMoreThanTwiceTheLateralTolerance) {
