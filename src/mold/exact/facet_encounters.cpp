@@ -193,6 +193,9 @@ int shared_corners(const std::array<VertexIndex, 3>& a, const std::array<VertexI
 struct Heights {
   std::array<bool, 3> touches{};
   bool above = false, below = false, in_front = false;
+
+  /// Whether the plane touches the triangle, or cuts it.
+  [[nodiscard]] bool meets() const { return (above && below) || touches[0] || touches[1] || touches[2]; }
 };
 
 Heights heights_over(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& origin,
@@ -338,6 +341,7 @@ FacetEncounters facet_encounters(const TriangleMesh& mesh, std::span<const glm::
       return;
     const Heights here_over =
         heights_over(corners_of(facet), positions[mesh.facets[other][0]], normals[other]);
+    if (!budget.in_front && !here_over.meets()) return;
     const Heights there_over =
         heights_over(corners_of(other), positions[mesh.facets[facet][0]], normals[facet]);
     if (budget.in_front && there_over.in_front) add_in_front(facet, other, found);

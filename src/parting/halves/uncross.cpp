@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -19,7 +22,28 @@ constexpr int k_most_uncross_rounds = 3;
 /// More are no matter of rounding, and to look at each takes long.
 constexpr std::size_t k_most_crossed = 4096;
 constexpr std::size_t k_most_near = 512;         // facets about a vertex
+constexpr FacetIndex k_group = 64;               // of facets with a box around all
 constexpr std::size_t k_most_looks = 5'000'000;  // at pairs of facets, in all
+
+/// Of these facets of a mesh those that cross another of them.
+std::vector<FacetIndex> crossed_among(const TriangleMesh& mesh, std::span<const FacetIndex> among,
+                                      const Progress& progress) {
+  const UnitFrame frame = unit_frame(bounds(mesh));
+  std::vector<glm::dvec3> positions;
+  positions.reserve(mesh.vertices.size());
+  for (const glm::dvec3& vertex : mesh.vertices)
+    positions.push_back((vertex - frame.center) / frame.diagonal);
+  TriangleMesh some{.vertices = mesh.vertices, .facets = {}};
+  some.facets.reserve(among.size());
+  for (const FacetIndex facet : among) some.facets.push_back(mesh.facets[facet]);
+  const FacetEncounters met =
+      facet_encounters(some, positions, facet_geometry(some).normals, {}, k_any_crossings, progress);
+  std::vector<FacetIndex> crossed;
+  for (FacetIndex k = 0; k < among.size(); ++k) {
+    if (!met.crossings.of(k).empty()) crossed.push_back(among[k]);
+  }
+  return crossed;
+}
 
 class Uncrosser {
  public:
@@ -28,9 +52,12 @@ class Uncrosser {
         query_(query),
         box_(bounds(mesh)),
         frame_(unit_frame(box_)),
-        around_(mesh.vertices.size()) {
+        around_(mesh.vertices.size()),
+        boxes_(mesh.facets.size()),
+        groups_(mesh.facets.size() / k_group + 1) {
     for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
       for (const VertexIndex corner : mesh.facets[facet]) around_[corner].push_back(facet);
+      set_box(facet);
     }
     for (const glm::dvec3& vertex : mesh.vertices) positions_.push_back(in_frame(vertex));
   }
@@ -43,6 +70,21 @@ class Uncrosser {
         if (!on_block(corner)) mend_at(corner);
       }
     }
+  }
+
+  /// Those that cross others once some are mended, of which these did before.
+  [[nodiscard]] std::vector<FacetIndex> still_crossed(std::vector<FacetIndex> crossed,
+                                                      const Progress& progress) {
+    crossed.insert(crossed.end(), changed_.begin(), changed_.end());
+    changed_.clear();
+    std::vector<FacetIndex> among;
+    for (const FacetIndex facet : crossed) {
+      const std::vector<FacetIndex> near = near_facets(boxes_[facet]);
+      among.insert(among.end(), near.begin(), near.end());
+    }
+    std::ranges::sort(among);
+    among.erase(std::unique(among.begin(), among.end()), among.end());
+    return crossed_among(mesh_, among, progress);
   }
 
  private:
@@ -76,12 +118,11 @@ class Uncrosser {
     return sum;
   }
 
-  /// Crossings among the facets around a vertex and those near them.
-  [[nodiscard]] std::size_t crossings(const std::vector<FacetIndex>& near) {
-    looks_ += near.size() * near.size();
+  /// Crossings among facets.
+  [[nodiscard]] std::size_t crossings(const std::vector<FacetIndex>& among) const {
     TriangleMesh some;
     std::vector<glm::dvec3> normals;
-    for (const FacetIndex facet : near) {
+    for (const FacetIndex facet : among) {
       some.facets.push_back(mesh_.facets[facet]);
       const glm::dvec3 normal = twice_area_vector(mesh_, facet);
       const double size = glm::length(normal);
@@ -91,27 +132,50 @@ class Uncrosser {
         .crossings.items.size();
   }
 
-  [[nodiscard]] std::vector<FacetIndex> near_facets(VertexIndex vertex) const {
-    Bounds reach;
-    for (const FacetIndex facet : around_[vertex]) {
-      for (int k = 0; k < 3; ++k) reach.add(mesh_.corner(facet, k));
-    }
+  [[nodiscard]] Bounds box_of_facet(FacetIndex facet) const {
+    Bounds box;
+    for (int k = 0; k < 3; ++k) box.add(mesh_.corner(facet, k));
+    return box;
+  }
+
+  [[nodiscard]] static bool overlap(const Bounds& a, const Bounds& b) {
+    return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::greaterThanEqual(a.max, b.min));
+  }
+
+  [[nodiscard]] std::vector<FacetIndex> near_facets(const Bounds& reach) const {
     std::vector<FacetIndex> near;
-    for (FacetIndex facet = 0; facet < mesh_.facets.size(); ++facet) {
-      const glm::dvec3 &a = mesh_.corner(facet, 0), &b = mesh_.corner(facet, 1), &c = mesh_.corner(facet, 2);
-      const glm::dvec3 low = glm::min(glm::min(a, b), c) - query_.tolerance,
-                       high = glm::max(glm::max(a, b), c) + query_.tolerance;
-      if (glm::all(glm::lessThanEqual(low, reach.max)) && glm::all(glm::greaterThanEqual(high, reach.min)))
-        near.push_back(facet);
+    for (FacetIndex first = 0; first < boxes_.size(); first += k_group) {
+      if (!overlap(groups_[first / k_group].widened(query_.tolerance), reach)) continue;
+      for (FacetIndex facet = first; facet < std::min<std::size_t>(first + k_group, boxes_.size()); ++facet)
+        if (overlap(boxes_[facet].widened(query_.tolerance), reach)) near.push_back(facet);
     }
     return near;
   }
 
+  void set_box(FacetIndex facet) {
+    boxes_[facet] = box_of_facet(facet);
+    groups_[facet / k_group].add(boxes_[facet].min);
+    groups_[facet / k_group].add(boxes_[facet].max);
+  }
+
   void mend_at(VertexIndex vertex) {
-    const std::vector<FacetIndex> near = near_facets(vertex);
+    Bounds reach;
+    for (const FacetIndex facet : around_[vertex]) {
+      for (int k = 0; k < 3; ++k) reach.add(mesh_.corner(facet, k));
+    }
+    const std::vector<FacetIndex> near = near_facets(reach);
     if (near.size() > k_most_near || looks_ > k_most_looks) return;
-    const std::size_t before = crossings(near);
+    const std::size_t pairs = near.size() * near.size(), before = crossings(near);
+    looks_ += pairs;
     if (before == 0) return;
+    // What its move does not change: crossings among those that stay apart from the facets around it.
+    std::vector<FacetIndex> touched;
+    std::ranges::copy_if(near, std::back_inserter(touched), [&](FacetIndex facet) {
+      return std::ranges::any_of(around_[vertex], [&](FacetIndex own) {
+        return overlap(boxes_[facet].widened(2.0 * query_.tolerance), boxes_[own]);
+      });
+    });
+    const std::size_t elsewhere = before - crossings(touched);
     const Against had = against(vertex);
     const glm::dvec3 from = mesh_.vertices[vertex];
     glm::dvec3 best = from;
@@ -122,13 +186,19 @@ class Uncrosser {
       move(vertex, to);
       const Against has = against(vertex);
       if (has.seen > had.seen || has.leaning > had.leaning || (has.degenerate && !had.degenerate)) continue;
-      if (const std::size_t count = crossings(near); count < least) {
+      looks_ += pairs;
+      if (const std::size_t count = elsewhere + crossings(touched); count < least) {
         least = count;
         best = to;
         if (count == 0) break;
       }
     }
     move(vertex, best);
+    if (best == from) return;
+    for (const FacetIndex facet : around_[vertex]) {
+      set_box(facet);
+      changed_.push_back(facet);
+    }
   }
 
   /// Those along the pull first.
@@ -154,6 +224,9 @@ class Uncrosser {
   std::vector<glm::dvec3> positions_;
   std::size_t looks_ = 0;
   std::vector<std::vector<FacetIndex>> around_;  // each vertex
+  std::vector<Bounds> boxes_;                    // of the facets
+  std::vector<Bounds> groups_;                   // around so many of them at least
+  std::vector<FacetIndex> changed_;              // since they were last looked at
 };
 
 }  // namespace
@@ -164,7 +237,7 @@ std::vector<FacetIndex> uncross(TriangleMesh& mesh, const TidyQuery& query, std:
   Uncrosser uncrosser(mesh, query);
   for (int round = 0; round < k_most_uncross_rounds && !crossed.empty(); ++round) {
     uncrosser.mend(crossed, progress);
-    std::vector<FacetIndex> left = crossed_facets(mesh, progress);
+    std::vector<FacetIndex> left = uncrosser.still_crossed(crossed, progress);
     const bool better = left.size() < crossed.size();
     crossed = std::move(left);
     if (!better) break;
@@ -204,17 +277,9 @@ Needles find_needles(const TriangleMesh& mesh, double thinnest) {
 }
 
 std::vector<FacetIndex> crossed_facets(const TriangleMesh& mesh, const Progress& progress) {
-  const UnitFrame frame = unit_frame(bounds(mesh));
-  std::vector<glm::dvec3> positions;
-  for (const glm::dvec3& vertex : mesh.vertices)
-    positions.push_back((vertex - frame.center) / frame.diagonal);
-  const FacetEncounters met =
-      facet_encounters(mesh, positions, facet_geometry(mesh).normals, {}, k_any_crossings, progress);
-  std::vector<FacetIndex> crossed;
-  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    if (!met.crossings.of(facet).empty()) crossed.push_back(facet);
-  }
-  return crossed;
+  std::vector<FacetIndex> all(mesh.facets.size());
+  std::iota(all.begin(), all.end(), FacetIndex{0});
+  return crossed_among(mesh, all, progress);
 }
 
 }  // namespace moldlight
