@@ -188,6 +188,14 @@ class Player {
     return hit.depth > allowed_ ? std::optional(hit) : std::nullopt;
   }
 
+  /// Whether a body and others are in each other, or it in the part: found sooner than how deep.
+  [[nodiscard]] bool hits(const Placed& body, std::span<const Placed> others) const {
+    return in_part(body, true).depth > allowed_ || std::ranges::any_of(others, [&](const Placed& other) {
+             return in_other(body, other, true).depth > allowed_ ||
+                    in_other(other, body, true).depth > allowed_;
+           });
+  }
+
   /// How deep a body and others are in each other, and it in the part; 0 within the tolerance.
   [[nodiscard]] double depth_of_all(const Placed& body, std::span<const Placed> others) const {
     double depth = in_part(body).depth;
@@ -198,9 +206,10 @@ class Player {
     return depth > allowed_ ? depth : 0.0;
   }
 
-  [[nodiscard]] const BodyHit& in_part(const Placed& body) const {
+  /// With `any`, the first hit will do, here and below.
+  [[nodiscard]] const BodyHit& in_part(const Placed& body, bool any = false) const {
     const bool solid = model_.health.closed && model_.health.volume > 0.0;
-    return solid ? deepest_of(body, nullptr, body.solid->in_part) : body.solid->in_part.hit;
+    return solid ? deepest_of(body, nullptr, any, body.solid->in_part) : body.solid->in_part.hit;
   }
 
   /// Those of its points that hit the part.
@@ -210,26 +219,29 @@ class Player {
   }
 
  private:
-  [[nodiscard]] const BodyHit& in_other(const Placed& body, const Placed& other) const {
-    return deepest_of(body, &other, body.solid->in_others[{other.solid, other.action < body.action}]);
+  [[nodiscard]] const BodyHit& in_other(const Placed& body, const Placed& other, bool any = false) const {
+    return deepest_of(body, &other, any, body.solid->in_others[{other.solid, other.action < body.action}]);
   }
 
   /// By the first few points, and if it is to be fine and these are clear by all of them.
-  [[nodiscard]] const BodyHit& deepest_of(const Placed& body, const Placed* other,
+  [[nodiscard]] const BodyHit& deepest_of(const Placed& body, const Placed* other, bool any,
                                           PlayedBody::SoFar& found) const {
     const std::span<const glm::dvec3> points = body.solid->points;
+    std::size_t begin = 0;
     for (const std::size_t wanted : {body.solid->few, fine_ ? points.size() : body.solid->few}) {
-      if (found.hit.depth > allowed_) break;
-      if (found.tested >= wanted) continue;
-      play_against(body, points.subspan(found.tested, wanted - found.tested), other, found);
-      found.tested = wanted;
+      // Where the first hit was enough, the others of its points may be asked for now.
+      if (found.hit.depth > allowed_ && (any || found.tested == begin)) break;
+      if (found.tested < wanted)
+        found.tested +=
+            play_against(body, points.subspan(found.tested, wanted - found.tested), other, any, found);
+      begin = wanted;
     }
     return found.hit;
   }
 
-  /// Of a body in another one, or in the part where that is null.
-  void play_against(const Placed& body, std::span<const glm::dvec3> points, const Placed* other,
-                    PlayedBody::SoFar& found) const {
+  /// Of a body in another one, or in the part where that is null. How many points it came past.
+  std::size_t play_against(const Placed& body, std::span<const glm::dvec3> points, const Placed* other,
+                           bool any, PlayedBody::SoFar& found) const {
     const PartModel& solid = other != nullptr ? *other->solid->model : model_;
     const SideAction& action = plan_.actions[body.action];
     const SideAction* its = other != nullptr ? &plan_.actions[other->action] : nullptr;
@@ -238,7 +250,8 @@ class Player {
     const bool together = its != nullptr && its_turn == turn && turn < k_last_turn;
     // Slides that go the same way are one steel where they overlap.
     constexpr double k_same_way = 0.9998;
-    if (together && is_slide(action.kind) && glm::dot(action.direction, its->direction) > k_same_way) return;
+    if (together && is_slide(action.kind) && glm::dot(action.direction, its->direction) > k_same_way)
+      return points.size();
     // Inserts are taken off one after the other.
     const bool has_left =
         its_turn < turn || (turn == k_last_turn && other != nullptr && other->action < body.action);
@@ -256,8 +269,9 @@ class Player {
       return !straight || (glm::all(glm::lessThanEqual(low + glm::min(glm::min(way, out), 0.0), box.max)) &&
                            glm::all(glm::lessThanEqual(box.min, high + glm::max(glm::max(way, out), 0.0))));
     };
-    if (!may_meet(own.min, own.max)) return;
+    if (!may_meet(own.min, own.max)) return points.size();
     for (const glm::dvec3& point : points) {
+      if (any && found.hit.depth > allowed_) return static_cast<std::size_t>(&point - points.data());
       if (!may_meet(point, point)) continue;
       if (progress_.cancelled()) throw Cancelled();
       const auto take = [&](HitStage stage, double depth) {
@@ -280,6 +294,7 @@ class Player {
       const auto on_its_way_out = [&](double share) { return from + share * way_out; };
       move(solid, true, on_its_way_out, [&](double depth) { take(HitStage::way_out, depth); });
     }
+    return points.size();
   }
 
   template <typename Place, typename Take>
@@ -353,6 +368,7 @@ struct BodyPlayer::Shape {
   std::deque<std::deque<PlayedBody>> former =
       {};             // before some of their surface was left out; known to others
   bool done = false;  // there is no thinner one
+  std::vector<std::pair<TriangleMesh, SurfacePoints>> stems = {};  // however thin it is
 
   /// The body of an action, so thin; null where there is none.
   const PlayedBody* thinned(std::size_t times, const SideAction& action, const glm::dvec3& direction,
@@ -360,14 +376,19 @@ struct BodyPlayer::Shape {
     constexpr std::size_t k_most = 7, k_of_stem = 4;  // of a stem one in so many of the points
     if (times < solids.size()) return &solids[times];
     if (done) return nullptr;
+    const glm::dvec3& way = action.kind == ActionKind::unscrew ? action.about->direction : action.direction;
+    if (stems.empty()) {
+      for (TriangleMesh& stem : shaper->stems()) {
+        SurfacePoints its = lattice_points(stem, way, direction, points / k_of_stem);
+        stems.emplace_back(std::move(stem), std::move(its));
+      }
+    }
     auto mesh = shaper->shape(std::exp2(-static_cast<double>(solids.size())));
     done = !mesh || !shaper->thins() || solids.size() + 1 == k_most;
     if (!mesh) return nullptr;
-    const glm::dvec3& way = action.kind == ActionKind::unscrew ? action.about->direction : action.direction;
     SurfacePoints all = lattice_points(*mesh, way, direction, points);
-    for (const TriangleMesh& stem : shaper->stems()) {
+    for (const auto& [stem, its] : stems) {
       append(stem, *mesh);
-      const SurfacePoints its = lattice_points(stem, way, direction, points / k_of_stem);
       all.few.insert(all.few.end(), its.few.begin(), its.few.end());
       all.others.insert(all.others.end(), its.others.begin(), its.others.end());
     }
@@ -417,7 +438,7 @@ void BodyPlayer::measure(ActionPlan& plan, bool fine) {
     for (int round = 0; round < k_most_rounds; ++round) {
       const PlayedBody* solid = nullptr;
       for (std::size_t times = 0; (solid = thinned(k, times)) != nullptr; ++times)
-        if (player.depth_of_all({k, solid}, {}) == 0.0) break;
+        if (!player.hits({k, solid}, {})) break;
       // No thickness will do: some of its surface does not leave.
       if (solid != nullptr || (solid = thinned(k, 0)) == nullptr ||
           !shapes[k]->leave_out(player.points_in_part({k, solid})))
@@ -431,7 +452,13 @@ void BodyPlayer::measure(ActionPlan& plan, bool fine) {
   for (const std::size_t k : order) {
     const PlayedBody* best = nullptr;
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t times = 0; least > 0.0; ++times) {
+    for (std::size_t times = 0; best == nullptr; ++times) {
+      const PlayedBody* solid = thinned(k, times);
+      if (solid == nullptr) break;
+      if (!player.hits({k, solid}, bodies)) best = solid;
+    }
+    const bool clear = best != nullptr;
+    for (std::size_t times = 0; !clear; ++times) {
       const PlayedBody* solid = thinned(k, times);
       if (solid == nullptr) break;
       const double depth = player.depth_of_all({k, solid}, bodies);

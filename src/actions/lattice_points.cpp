@@ -55,6 +55,7 @@ SurfacePoints lattice_points(const TriangleMesh& mesh, const glm::dvec3& way, co
   }
   // A splinter would have too many.
   constexpr double k_least_step = 1e-3;  // of its length
+  constexpr double k_no_splinter = 0.1, k_margin = 1e-3;
   const glm::dvec3 size = box.max - box.min;
   const double step = std::max(std::sqrt(passed / static_cast<double>(count)),
                                k_least_step * std::max({size.x, size.y, size.z}));
@@ -73,10 +74,14 @@ SurfacePoints lattice_points(const TriangleMesh& mesh, const glm::dvec3& way, co
       if (std::ceil(low[u]) > high[u]) continue;
       const double twice = (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
       if (twice == 0.0) continue;
+      // How far beside the line's crossings rounding may put points into a triangle, steps: far of a
+      // splinter.
+      const double margin = std::abs(twice) > k_no_splinter * step * step ? k_margin : 1.0;
       for (double i = std::ceil(low[u]); i <= high[u]; ++i) {
         const auto [first, last] = crossed({a, b, c}, u, v, middle[u] + (i + 0.5) * step);
-        const double to = std::min(high[v], (last - middle[v]) / step + 0.5);
-        for (double j = std::ceil(std::max(low[v], (first - middle[v]) / step - 1.5)); j <= to; ++j) {
+        const double to = std::min(high[v], (last - middle[v]) / step - 0.5 + margin);
+        for (double j = std::ceil(std::max(low[v], (first - middle[v]) / step - 0.5 - margin)); j <= to;
+             ++j) {
           const double x = middle[u] + (i + 0.5) * step - a[u], y = middle[v] + (j + 0.5) * step - a[v];
           const double s = (x * (c[v] - a[v]) - y * (c[u] - a[u])) / twice;
           const double t = (y * (b[u] - a[u]) - x * (b[v] - a[v])) / twice;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <ranges>
+#include <utility>
 
 #include "base/check.hpp"
 
@@ -31,11 +33,13 @@ class Search {
       for (const std::size_t undercut_part : options[c].undercut_parts)
         options_of_part_[undercut_part].push_back(c);
     }
+    std::vector<std::map<std::size_t, double>> prices(options.size());
     for (const CoverClash& clash : clashes) {
       CHECK(clash.a != clash.b && clash.price >= 0.0);
-      prices_[clash.a][clash.b] += clash.price;
-      prices_[clash.b][clash.a] += clash.price;
+      prices[clash.a][clash.b] += clash.price;
+      prices[clash.b][clash.a] += clash.price;
     }
+    for (std::size_t c = 0; c < prices.size(); ++c) prices_[c].assign(prices[c].begin(), prices[c].end());
     drop_dominated();
   }
 
@@ -55,6 +59,8 @@ class Search {
   }
 
  private:
+  using Price = std::pair<std::size_t, double>;  // of a clash, after the other option
+
   void drop_dominated() {
     std::vector<std::vector<std::size_t>> sorted;
     for (const CoverOption& option : options_) {
@@ -79,8 +85,9 @@ class Search {
 
   [[nodiscard]] bool clashes_no_more(std::size_t one, std::size_t than) const {
     return std::ranges::all_of(prices_[one], [&](const auto& clash) {
-      const auto same = prices_[than].find(clash.first);
-      return clash.first == than || (same != prices_[than].end() && same->second >= clash.second);
+      const auto same = std::ranges::lower_bound(prices_[than], clash.first, {}, &Price::first);
+      return clash.first == than ||
+             (same != prices_[than].end() && same->first == clash.first && same->second >= clash.second);
     });
   }
 
@@ -111,19 +118,19 @@ class Search {
   void choose(std::size_t option) {
     chosen_.push_back(option);
     for (const std::size_t undercut_part : options_[option].undercut_parts) ++covered_[undercut_part];
-    for (const auto& [other, price] : prices_[option]) price_[other] += price;
+    for (const auto& [other, price] : prices_[option]) {
+      former_.push_back(price_[other]);
+      price_[other] += price;
+    }
   }
   void take_back() {
     const std::size_t option = chosen_.back();
     chosen_.pop_back();
     for (const std::size_t undercut_part : options_[option].undercut_parts) --covered_[undercut_part];
-    // Summed up anew: sums that are taken apart again would keep rounding.
-    for (const auto& [other, price] : prices_[option]) {
-      price_[other] = 0.0;
-      for (const std::size_t c : chosen_) {
-        const auto clash = prices_[other].find(c);
-        if (clash != prices_[other].end()) price_[other] += clash->second;
-      }
+    // Sums that are taken apart again would keep rounding.
+    for (const std::size_t other : prices_[option] | std::views::keys | std::views::reverse) {
+      price_[other] = former_.back();
+      former_.pop_back();
     }
   }
 
@@ -145,15 +152,16 @@ class Search {
     }
     if (is_hopeless(cost)) return;
     // Those that cover most for their cost first: a good cover is found soon.
-    std::vector<std::size_t> order = options_of_part_[rarest];
+    std::vector<std::pair<double, std::size_t>> order;
     const auto worth = [&](std::size_t c) {
       const auto open = std::ranges::count_if(options_[c].undercut_parts, [&](std::size_t undercut_part) {
         return covered_[undercut_part] == 0;
       });
       return static_cast<double>(open) / cost_now(c);
     };
-    std::ranges::stable_sort(order, std::greater(), worth);
-    for (const std::size_t c : order) {
+    for (const std::size_t c : options_of_part_[rarest]) order.emplace_back(worth(c), c);
+    std::ranges::stable_sort(order, std::greater(), &std::pair<double, std::size_t>::first);
+    for (const std::size_t c : order | std::views::values) {
       const double more = cost_now(c);
       choose(c);
       branch(cost + more);
@@ -165,10 +173,11 @@ class Search {
   std::size_t most_nodes_;
   const Progress& progress_;
   std::vector<std::vector<std::size_t>> options_of_part_;  // options of each undercut part
-  std::vector<std::map<std::size_t, double>> prices_;      // of each option's clashes, by the other option
+  std::vector<std::vector<Price>> prices_;                 // of each option's clashes
   std::vector<int> covered_;                               // how often each undercut part is
   std::vector<char> allowed_;
   std::vector<double> price_;         // of each option, of its clashes with what is chosen
+  std::vector<double> former_;        // prices, before what is chosen was
   std::vector<std::size_t> touched_;  // options that is_hopeless() came past, the last time
   std::size_t round_ = 0;             // of is_hopeless()
   std::vector<std::size_t> chosen_, best_;

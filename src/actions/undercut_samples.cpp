@@ -126,21 +126,19 @@ std::vector<UndercutSample> deepest_corners(const PartModel& model, const SplitM
                                             const Undercut& undercut, const glm::dvec3& direction,
                                             std::size_t count) {
   struct Corner {
-    double height;
+    long long height;  // heights that rounding alone distinguishes are in the order of the pieces
     std::uint32_t piece;
     std::size_t k;
   };
+  const double rounding = 1e-6 * model.frame.diagonal;
   std::vector<Corner> corners;
   for (const std::uint32_t piece : undercut.pieces) {
     if (piece_area(split, split.pieces[piece]) <= 0.0) continue;
     for (std::size_t k = 0; k < 3; ++k)
-      corners.push_back({glm::dot(split.corner(piece, k), direction), piece, k});
+      corners.push_back({std::llround(glm::dot(split.corner(piece, k), direction) / rounding), piece, k});
   }
   count = std::min(count, corners.size());
-  // Heights that rounding alone distinguishes are in the order of the pieces.
-  const double rounding = 1e-6 * model.frame.diagonal;
-  std::ranges::stable_sort(corners, {},
-                           [&](const Corner& each) { return std::llround(each.height / rounding); });
+  std::ranges::stable_sort(corners, {}, &Corner::height);
   constexpr double k_inward = 1e-4;
   std::vector<UndercutSample> samples;
   for (std::size_t k = 0; k < count; ++k) {
