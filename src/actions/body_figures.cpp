@@ -93,6 +93,13 @@ double least_section(const TriangleMesh& body, const glm::dvec3& way) {
   return found != sections.end() ? *found : 0.0;
 }
 
+/// As facet_geometry() has it, which keeps those of all.
+glm::dvec3 normal_of(const TriangleMesh& mesh, FacetIndex facet) {
+  const glm::dvec3 vector = twice_area_vector(mesh, facet);
+  const double twice_area = glm::length(vector);
+  return twice_area > 0.0 ? vector / twice_area : glm::dvec3(0.0);
+}
+
 bool seems_inside(const PartModel& solid, const glm::vec3& point, const glm::dvec3& along) {
   constexpr float k_past = 1e-6F;
   constexpr int k_most = 1000;
@@ -103,7 +110,7 @@ bool seems_inside(const PartModel& solid, const glm::vec3& point, const glm::dve
     const auto hit = solid.rays().first_hit(point + gone * way, way, false);
     if (!hit) break;
     gone += hit->distance + k_past;
-    depth += glm::dot(solid.geometry.normals[hit->facet], along) > 0.0 ? 1 : -1;
+    depth += glm::dot(normal_of(solid.part.mesh, hit->facet), along) > 0.0 ? 1 : -1;
   }
   return depth > 0;
 }
@@ -156,7 +163,7 @@ std::vector<std::pair<double, double>> within(const PartModel& solid, const glm:
     if (!hit) break;
     gone += static_cast<double>(hit->distance) * solid.frame.diagonal;
     if (gone > length) break;
-    inside = glm::dot(solid.geometry.normals[hit->facet], way) < 0.0;
+    inside = glm::dot(normal_of(solid.part.mesh, hit->facet), way) < 0.0;
     if (inside) entered = gone / length;
     if (!inside) found.emplace_back(entered, gone / length);
     gone += k_past * solid.frame.diagonal;
@@ -320,12 +327,11 @@ class Player {
   double allowed_;
 };
 
-/// What rays, box and volume of a body take, and no more of what is known of parts.
+/// What rays, box and volume of a body take, and no more of what is known of parts: there may be thousands.
 std::shared_ptr<const PartModel> solid_model(TriangleMesh mesh) {
   auto model = std::make_shared<PartModel>();
   turn_if_inside_out(mesh);
   model->part.mesh = std::move(mesh);
-  model->geometry = facet_geometry(model->part.mesh);
   model->health.volume = signed_volume(model->part.mesh);
   model->health.bounds = bounds(model->part.mesh);
   model->frame = unit_frame(model->health.bounds);
@@ -404,6 +410,8 @@ struct BodyPlayer::Shape {
   /// Leaves the surface out at which a body hits the part; false where that is too much.
   bool leave_out(std::span<const glm::dvec3> points) {
     if (!shaper->leave_out(points)) return false;
+    // Their places are known to others, what they are is not needed any more.
+    for (PlayedBody& solid : solids) solid = {};
     former.push_back(std::exchange(solids, {}));
     done = false;
     return true;
