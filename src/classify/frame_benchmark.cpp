@@ -1,6 +1,8 @@
 #include "classify/frame_benchmark.hpp"
 
+#include <array>
 #include <atomic>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -45,8 +47,13 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
     static_cast<void>(view.pick(size / 2));  // waits for the GL, as a cursor on the part does
     return stopwatch.elapsed_ms();
   };
-  std::vector<double> plain_ms, rest_ms, changing_ms, rest_ratio, changing_ratio;
-  double figures_s = 0.0;
+  std::vector<double> plain_ms, rest_ms, rest_ratio;
+  struct Changing {
+    std::vector<double> ms, ratio;
+    double s = 0.0;
+    int figures = 0;
+  };
+  std::array<Changing, 2> all_changing;  // the camera moves, and rests
   std::atomic<int> figures = 0;
   const auto measure = [&](const glm::dvec3& direction, const Progress& measuring) {
     ExactQuery moved = query;
@@ -74,41 +81,50 @@ FrameTimes measure_frames(const gl::Context& context, const std::shared_ptr<cons
       rest_ms.push_back(rest);
       rest_ratio.push_back(plain / rest);
     }
-    Job<ExactAreas> beside({.pause_s = figure_pause_s});
-    const Stopwatch stopwatch;
-    for (int turn = -k_warm_up; turn < k_turns || stopwatch.elapsed_ms() < k_figures_ms; ++turn) {
-      Query moved = asked;
-      moved.direction = glm::dvec3(0.02 * (k_turns * round + turn % k_turns), 0.1, 1.0);
-      beside.follow([&measure, direction = moved.direction.unit()](const Progress& measuring) {
-        return measure(direction, measuring);
-      });
-      const double change = frame_ms([&] {
-        changing.draw_moving(moved);
-        draw(changing, turn % k_turns, ColourMode::regions);
-      });
-      if (turn < 0) continue;
-      changing_ms.push_back(change);
-      changing_ratio.push_back(median(plain_of_round) / change);
+    for (const bool rests : {false, true}) {
+      Changing& frames = all_changing[rests ? 1 : 0];
+      figures = 0;
+      Job<ExactAreas> beside({.pause_s = figure_pause_s});
+      const Stopwatch stopwatch;
+      for (int turn = -k_warm_up; turn < k_turns || stopwatch.elapsed_ms() < k_figures_ms; ++turn) {
+        Query moved = asked;
+        moved.direction = glm::dvec3(0.02 * (k_turns * round + turn % k_turns), 0.1, 1.0);
+        beside.follow([&measure, direction = moved.direction.unit()](const Progress& measuring) {
+          return measure(direction, measuring);
+        });
+        const double change = frame_ms([&] {
+          changing.draw_moving(moved);
+          draw(changing, rests ? 0 : turn % k_turns, ColourMode::regions);
+        });
+        if (turn < 0) continue;
+        frames.ms.push_back(change);
+        frames.ratio.push_back(median(plain_of_round) / change);
+      }
+      frames.s += stopwatch.elapsed_ms() / 1000.0;
+      frames.figures += figures;
     }
-    figures_s += stopwatch.elapsed_ms() / 1000.0;
     plain_ms.insert(plain_ms.end(), plain_of_round.begin(), plain_of_round.end());
   }
+  const auto found = [](const Changing& frames) {
+    return FrameTimes::Changing{median(frames.ms), median(frames.ratio), frames.figures / frames.s};
+  };
   return {.facets = model->part.mesh.facets.size(),
           .plain_ms = median(plain_ms),
           .rest_ms = median(rest_ms),
-          .changing_ms = median(changing_ms),
           .rest_ratio = median(rest_ratio),
-          .changing_ratio = median(changing_ratio),
-          .figures_per_s = figures / figures_s};
+          .changing = found(all_changing[0]),
+          .dragged = found(all_changing[1])};
 }
 
 std::string frame_times_text(const FrameTimes& times) {
-  return fmt::format(
+  std::string text = fmt::format(
       "live_plain facets={0} ms={1:.2f}\n"
-      "live_rest facets={0} ms={2:.2f} ratio={3:.3f}\n"
-      "live_changing facets={0} ms={4:.2f} ratio={5:.3f} figures_per_s={6:.1f}\n",
-      times.facets, times.plain_ms, times.rest_ms, times.rest_ratio, times.changing_ms, times.changing_ratio,
-      times.figures_per_s);
+      "live_rest facets={0} ms={2:.2f} ratio={3:.3f}\n",
+      times.facets, times.plain_ms, times.rest_ms, times.rest_ratio);
+  for (const auto& [name, frames] : {std::pair("changing", times.changing), {"dragged", times.dragged}})
+    text += fmt::format("live_{} facets={} ms={:.2f} ratio={:.3f} figures_per_s={:.1f}\n", name, times.facets,
+                        frames.ms, frames.ratio, frames.figures_per_s);
+  return text;
 }
 
 }  // namespace moldlight

@@ -1,5 +1,6 @@
 // Frame times of the live view: the same camera path with plain shading, with exact regions while the
-// direction rests, and with a direction that changes every frame while figures are measured beside it.
+// direction rests, and with a direction that changes every frame while figures are measured beside it; and
+// that direction while the camera rests, as it does while a hand drags the direction.
 #pragma once
 
 #include <cstddef>
@@ -20,9 +21,14 @@ namespace moldlight {
 /// alike.
 struct FrameTimes {
   std::size_t facets = 0;
-  double plain_ms = 0.0, rest_ms = 0.0, changing_ms = 0.0;
-  double rest_ratio = 0.0, changing_ratio = 0.0;  // of frame rates to plain shading
-  double figures_per_s = 0.0;                     // areas of the regions, beside frames that change
+  double plain_ms = 0.0, rest_ms = 0.0;
+  double rest_ratio = 0.0;  // of frame rates to plain shading
+  /// The direction changes.
+  struct Changing {
+    double ms = 0.0, ratio = 0.0;
+    double figures_per_s = 0.0;  // areas of the regions, beside the frames
+  };
+  Changing changing, dragged;  // while the camera moves, and while it rests
 };
 
 /// Pictures as the window draws them while the camera moves, without its panels. `context` must be current.
@@ -31,7 +37,7 @@ struct FrameTimes {
                                         const std::shared_ptr<const PartModel>& model, const Query& asked,
                                         const glm::ivec2& size, const Progress& progress);
 
-/// Three lines of name=value pairs: live_plain, live_rest, live_changing.
+/// Four lines of name=value pairs: live_plain, live_rest, live_changing, live_dragged.
 [[nodiscard]] std::string frame_times_text(const FrameTimes& times);
 
 }  // namespace moldlight

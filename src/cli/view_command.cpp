@@ -145,7 +145,7 @@ void add_view_command(CLI::App& program, Request& request) {
   command
       ->add_flag("--benchmark", flags->benchmark,
                  "Print frame times without a display: plain shading, regions at rest, and regions with a "
-                 "direction that changes every frame")
+                 "direction that changes every frame, while the camera moves and while it rests")
       ->excludes(save);
   CLI::Option* compare =
       add_file_flag(*command, flags->compare,

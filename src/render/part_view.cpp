@@ -46,6 +46,7 @@ bool PartView::draw(const ViewTarget& target, const ViewSubject& of, const View&
     tools_.targets = {};
     tools_.targets = ViewTargets(tools_.gl, target.size);
     samples_ = 0;
+    surface_.reset();
   }
   const ViewInputs inputs{.camera = view.camera,
                           .settings = settings,
@@ -81,18 +82,28 @@ void PartView::draw_sample(const ViewSubject& subject) {
   const ViewSettings& settings = frame.settings;
   const int taps = !settings.ambient_occlusion ? 0 : frame.sample == 0 ? k_taps_moving : k_taps_at_rest;
   const bool ghost = settings.transparency > 0.0, clear = settings.steel.shown && settings.steel.clear;
+  ViewInputs surface = shown_;
+  surface.direction = glm::dvec3(0.0);
+  surface.maps = 0;
+  const bool of_any_direction =
+      samples_ == 0 && shown_.split == 0 && !ghost && !frame.opened() && !settings.steel.shown;
+  const bool is_there = of_any_direction && surface_ == surface;
+  if (!is_there) surface_.reset();
   bool first = true;
   for (const Layer layer : {Layer::undercuts_alone, Layer::whole, Layer::steel}) {
     if ((layer == Layer::undercuts_alone && !ghost) || (layer == Layer::steel && !clear)) continue;
     frame.layer = layer;
-    draw_surface(tools_, frame);
-    draw_openness(tools_, frame, taps);
+    if (!is_there) {
+      draw_surface(tools_, frame);
+      draw_openness(tools_, frame, taps);
+    }
     if (std::exchange(first, false)) draw_background(tools_, frame);
     shade(tools_, frame);
     if (layer == Layer::whole) draw_lines(tools_, frame);
   }
   draw_steel_edges(tools_, frame);
   draw_arrows(tools_, frame);
+  if (of_any_direction) surface_ = surface;
   if (samples_ == 0) unit_from_clip_ = glm::inverse(frame.clip_from_eye * frame.eye_from_unit);
   ++samples_;
 }
@@ -100,6 +111,7 @@ void PartView::draw_sample(const ViewSubject& subject) {
 void PartView::set_geometry(const ViewGeometry& geometry) {
   tools_.mesh.take(tools_.gl, geometry);
   samples_ = 0;
+  surface_.reset();
 }
 
 void PartView::set_faces(std::span<const std::uint32_t> of_facet) {

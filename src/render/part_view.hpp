@@ -87,7 +87,9 @@ class PartView {
   ViewTools tools_;
   // What the targets show, to know whether the next picture is the same.
   ViewInputs shown_;
-  int samples_ = 0;                 // drawn so far
+  int samples_ = 0;  // drawn so far
+  // Of what they have facets, depths and openness, if these are the same for any direction and maps.
+  std::optional<ViewInputs> surface_;
   glm::dmat4 unit_from_clip_{1.0};  // of the first of them
 };
 

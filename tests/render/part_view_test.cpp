@@ -197,6 +197,40 @@ std::size_t differing_pixels(const Image& a, const Image& b) {
   return pixels;
 }
 
+TEST(PartView, ShowsAMovingDirectionAsAViewDoesThatHasDrawnNothingBefore) {
+  const gl::Context& context = test::shared_context();
+  const Shape shape = test::snap_hook({});
+  ViewSettings all[5];
+  all[1].cut = CutPlane{.normal = {1, 0, 0}, .offset = 0.0};
+  all[2].open_mold = 0.5;
+  all[3].transparency = 0.6;
+  all[4].samples = 3;
+  for (ViewSettings& settings : all) {
+    if (&settings != &all[4]) settings.samples = 1;
+    ShapePicture moving(context, shape);
+    Camera camera = moving.camera();
+    for (int turn = 0; turn < 6; ++turn) {
+      const auto drawn = [&](ShapePicture& picture) {
+        picture.query.direction = glm::dvec3(0.2 * turn, 0.1, 1.0);
+        picture.maps.drop_split();
+        picture.maps.draw_moving(picture.query);
+        return picture.draw(camera, settings).rgba;
+      };
+      ShapePicture fresh(context, shape);
+      EXPECT_TRUE(drawn(moving) == drawn(fresh)) << "settings " << &settings - all << ", turn " << turn;
+      const auto facets = moving.view.read_facets();
+      EXPECT_TRUE(facets == fresh.view.read_facets());
+      const auto regions = moving.view.read_regions(), expected = fresh.view.read_regions();
+      for (std::size_t pixel = 0; pixel < facets.size(); ++pixel) {
+        if (facets[pixel] == 0) continue;
+        ASSERT_EQ(regions[pixel], expected[pixel]);
+      }
+      if (turn == 3) camera = orbited(camera, {0.2, 0.1}, {0, 0, 1}, glm::dvec3(0.0));
+      if (turn == 4) moving.view.set_geometry(moving.geometry);
+    }
+  }
+}
+
 TEST(PartView, MarksLieOnTop) {
   ShapePicture picture(test::shared_context(), cup_with_side_hole(ShapeSettings{}));
   const Camera camera = picture.camera();
