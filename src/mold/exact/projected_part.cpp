@@ -108,20 +108,21 @@ std::uint64_t ProjectedPart::work_budget() const {
 /// that need most are sampled; how many are is known by the part and the direction alone.
 void ProjectedPart::plan_work(const Progress& progress) {
   const std::size_t facets = extents_.size();
-  std::vector<std::uint32_t> work(facets);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets, k_projection_grain), [&](const auto& range) {
-    for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled(); ++k) {
-      const auto& [a, b, c] = part_->mesh().facets[k];
-      const std::array<glm::dvec2, 3> corners = {glm::dvec2(points_[a]), glm::dvec2(points_[b]),
-                                                 glm::dvec2(points_[c])};
-      std::size_t looks =
-          contour_grid_.count_items(corners) + part_->crossings(static_cast<FacetIndex>(k)).size();
-      if (!part_->knows_in_front()) {
-        for (const ProjectionGrid& grid : facet_grids_) looks += grid.count_items(corners);
-      }
-      work[k] = static_cast<std::uint32_t>(std::min<std::size_t>(looks, k_most_work));
-    }
-  });
+  std::vector<std::uint32_t> work(part_->crossings_known() ? facets : 0);  // else all are sampled
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, work.size(), k_projection_grain), [&](const auto& range) {
+        for (std::size_t k = range.begin(); k < range.end() && !progress.cancelled(); ++k) {
+          const auto& [a, b, c] = part_->mesh().facets[k];
+          const std::array<glm::dvec2, 3> corners = {glm::dvec2(points_[a]), glm::dvec2(points_[b]),
+                                                     glm::dvec2(points_[c])};
+          std::size_t looks =
+              contour_grid_.count_items(corners) + part_->crossings(static_cast<FacetIndex>(k)).size();
+          if (!part_->knows_in_front()) {
+            for (const ProjectionGrid& grid : facet_grids_) looks += grid.count_items(corners);
+          }
+          work[k] = static_cast<std::uint32_t>(std::min<std::size_t>(looks, k_most_work));
+        }
+      });
   progress.report("finding contour edges", 1.0);
   std::uint64_t sum = 0;
   for (const std::uint32_t looks : work) sum += looks;
@@ -293,7 +294,8 @@ void ProjectedPart::leave_out_hidden_edges(const Progress& progress) {
   };
   // To look at every edge that crosses another takes too long where all are as long as the part.
   std::uint64_t looks = 0;
-  for (const ContourEdge& edge : contour_) {
+  for (std::size_t k = 0; k < contour_.size() && looks <= work_budget(); ++k) {
+    const ContourEdge& edge = contour_[k];
     const std::array<glm::dvec2, 2> ends = {glm::dvec2(edge.start), glm::dvec2(edge.start + edge.along)};
     looks += contour_grid_.count_items(ends);
   }
