@@ -480,8 +480,9 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
       if (!found || attempted.better_than(*found)) found = std::move(attempted);
       if (clean) break;
     }
-    if (found && part.mesh.facets.size() != model.part.mesh.facets.size() && hides_itself(*found, progress))
-      return false;
+    const bool divided = part.mesh.facets.size() != model.part.mesh.facets.size();
+    if (found && divided && hides_itself(*found, progress)) return false;
+    if (found) found->divided = divided;
     const bool certified = found && found->certified();
     if (found && (!best || found->nicer_than(*best))) best = std::move(found);
     return certified;
@@ -511,6 +512,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
     caps.emplace(*place.sides, *place.line, frame);
   // Round walls divided, which may make others lean, then not.
   for (const double reach : {k_upright_reach * lateral / model.frame.diagonal, 0.0}) {
+    if (reach > 0.0 && !beside.divides) continue;
     if (best && best->certified() && best->surface.shelf_share() > k_level_enough) break;
     const auto upright = with_upright_walls(model.part.mesh, frame, reach, progress);
     const bool capped = caps && try_mesh(upright ? *upright : own, &*caps);

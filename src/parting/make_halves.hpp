@@ -36,6 +36,7 @@ struct Beside {
   std::vector<LiftedInsert> lifted = {};
   glm::dvec2 low{0.0}, high{0.0};  // in the mold's frame, in diagonals
   double margin = 0.0;             // what MoldHalves::margin says of that block
+  bool divides = true;             // whether round walls may be divided
 };
 
 /// The halves for a unit direction, whatever the undercut. Faces given to a half by hand, as the settings

@@ -119,6 +119,7 @@ struct MoldHalves {
 
   // The certificate. Volumes are those of the bodies.
   double block_volume = 0.0, part_volume = 0.0, insert_volume = 0.0;
+  bool divided = false;         // whether round walls were divided to stand upright
   double upright_volume = 0.0;  // by how much the part is larger for walls that were set upright
   double volume_gap = 0.0;      // block less all of these, as a share of the block
   double fold_area =

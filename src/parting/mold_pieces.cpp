@@ -31,7 +31,9 @@ struct Tried {
 
 class PieceMaker {
  public:
-  PieceMaker(const PiecesWish& wish, const Progress& progress) : plain_(wish), progress_(progress) {}
+  /// `divides`: whether round walls may be divided.
+  PieceMaker(const PiecesWish& wish, bool divides, const Progress& progress)
+      : plain_(wish), divides_(divides), progress_(progress) {}
 
   MoldPieces run() {
     std::vector<Tried> all;
@@ -80,24 +82,29 @@ class PieceMaker {
     std::vector<UnmadeAction> left;
     for (UnmadeAction& unmade : unmade_) {
       const SideAction& action = plain_.wish.plan.actions[unmade.action];
-      std::optional<BarRoom> room;
-      if (is_slide(action.kind)) room = pin_of(unmade.action);
-      const std::string why = room ? put_pin(plain_, unmade.action, *room, halves, progress_) : "no pin";
+      std::string why = "no pin";
+      for (const bool with_skins : {true, false}) {
+        if (why.empty() || !is_slide(action.kind)) continue;
+        const std::optional<BarRoom> room = pin_of(unmade.action, with_skins);
+        if (room) why = put_pin(plain_, unmade.action, *room, halves, progress_);
+      }
       if (!why.empty()) left.push_back(std::move(unmade));
     }
     unmade_ = std::move(left);
   }
 
-  [[nodiscard]] std::optional<BarRoom> pin_of(std::size_t number) const {
+  [[nodiscard]] std::optional<BarRoom> pin_of(std::size_t number, bool with_skins) const {
     const glm::dvec3 way = plain_.wish.plain.frame.to_mold(plain_.wish.plan.actions[number].direction);
     PinWish wish{.inserts = {},
                  .formed = {},
+                 .beside = false,
                  .way = std::abs(way.z) > k_inclined ? glm::normalize(way) : plain_.way_of(number),
                  .land = plain_.wish.plain.land / plain_.wish.model.frame.diagonal};
     bool alone = true;
     forming(number, wish.inserts, alone);
-    wish.formed = formed_by(number, wish.inserts, alone);
-    return wish.formed.empty() ? std::nullopt : pin_room(plain_.part, wish);
+    wish.beside = !with_skins && alone;
+    wish.formed = formed_by(number, wish.inserts, alone && with_skins);
+    return wish.formed.empty() || (!with_skins && !alone) ? std::nullopt : pin_room(plain_.part, wish);
   }
 
   /// The bodies between the halves without slides that it forms something of, and whether nothing else does.
@@ -133,18 +140,22 @@ class PieceMaker {
     bool alone = true;
     forming(number, inserts, alone);
     if (inserts.empty()) return refused("no body between the halves is its own");
-    const std::vector<glm::dvec3> formed = formed_by(number, inserts, alone);
     const double middle = glm::dot(plain_.wish.plain.centre, plain_.wish.plain.frame.z);
     const double diagonal = plain_.wish.model.frame.diagonal;
-    return slide_blank({.part = plain_.part,
-                        .inserts = inserts,
-                        .formed = formed,
-                        .alone = alone,
-                        .way = plain_.way_of(number),
-                        .shelf = (plain_.wish.plain.surface.shelf_height - middle) / diagonal,
-                        .land = land * plain_.wish.plain.land / diagonal,
-                        .low = plain_.wish.plain.block_low,
-                        .high = plain_.wish.plain.block_high});
+    const auto blank = [&](bool whole) {
+      return slide_blank({.part = plain_.part,
+                          .inserts = inserts,
+                          .formed = formed_by(number, inserts, whole),
+                          .alone = whole,
+                          .way = plain_.way_of(number),
+                          .shelf = (plain_.wish.plain.surface.shelf_height - middle) / diagonal,
+                          .land = land * plain_.wish.plain.land / diagonal,
+                          .low = plain_.wish.plain.block_low,
+                          .high = plain_.wish.plain.block_high});
+    };
+    SlideBlank made = blank(alone);
+    // Skins on walls beside what it releases it need not form.
+    return alone && !made.refusal.empty() ? blank(false) : made;
   }
 
   /// The halves with a slide more than there are, with as much land as goes.
@@ -169,7 +180,8 @@ class PieceMaker {
                   bars_.lifted(),
                   plain_.wish.plain.block_low,
                   plain_.wish.plain.block_high,
-                  plain_.wish.plain.margin};
+                  plain_.wish.plain.margin,
+                  divides_};
     for (const Tried& one : tried) beside.blanks.push_back(one.blank);
     return make_halves(plain_.wish.model, plain_.wish.plain.frame.z, plain_.wish.place, plain_.wish.settings,
                        progress_, beside);
@@ -280,6 +292,7 @@ class PieceMaker {
   }
 
   PlainMold plain_;
+  bool divides_;
   const Progress& progress_;
   std::vector<UnmadeAction> unmade_;
   LifterBars bars_{plain_, unmade_, progress_};
@@ -290,7 +303,15 @@ class PieceMaker {
 
 MoldPieces make_pieces(const PiecesWish& wish, const Progress& progress) {
   if (!wish.plain.made()) return {.halves = wish.plain, .of_inserts = {}, .unmade = {}};
-  return PieceMaker(wish, progress).run();
+  MoldPieces pieces = PieceMaker(wish, true, progress).run();
+  if (pieces.unmade.empty() || !wish.plain.divided) return pieces;
+  // Walls that are not divided may cross less by rounding.
+  const MoldHalves plain = make_halves(wish.model, wish.plain.frame.z, wish.place, wish.settings, progress,
+                                       {.blanks = {}, .divides = false});
+  if (!plain.made() || (wish.plain.certified() && !plain.certified())) return pieces;
+  const PiecesWish again{wish.model, plain, wish.plan, wish.split, wish.place, wish.settings};
+  MoldPieces others = PieceMaker(again, false, progress).run();
+  return others.unmade.size() < pieces.unmade.size() ? std::move(others) : std::move(pieces);
 }
 
 }  // namespace moldlight

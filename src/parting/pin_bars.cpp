@@ -133,9 +133,13 @@ class PinRoom {
   /// What it forms as seen along its way, without skins beside that.
   bool find_outline() {
     glm::dvec2 low(INFINITY), high(-INFINITY);
+    double from = INFINITY, to = -INFINITY;
     for (const glm::dvec3& vertex : wish_.formed) {
-      low = glm::min(low, glm::dvec2(frame_.of(vertex)));
-      high = glm::max(high, glm::dvec2(frame_.of(vertex)));
+      const glm::dvec3 at = frame_.of(vertex);
+      low = glm::min(low, glm::dvec2(at));
+      high = glm::max(high, glm::dvec2(at));
+      from = std::min(from, at.z);
+      to = std::max(to, at.z);
     }
     grid_ = {low, high, k_pin_lines};
     begins_.assign(grid_.lines(), INFINITY);
@@ -144,7 +148,9 @@ class PinRoom {
     for (const TriangleMesh* insert : wish_.inserts) {
       const auto own = depth_columns(*insert, frame_, grid_);
       for (std::size_t line = 0; line < grid_.lines(); ++line) {
-        for (const Stretch& stretch : own[line]) {
+        for (Stretch stretch : own[line]) {
+          if (wish_.beside) stretch = {std::max(stretch.from, from), std::min(stretch.to, to), 0, 0};
+          if (stretch.from >= stretch.to) continue;
           length[line] += stretch.to - stretch.from;
           begins_[line] = std::min(begins_[line], stretch.from);
           ends_[line] = std::max(ends_[line], stretch.to);

@@ -21,6 +21,7 @@ namespace moldlight {
 struct PinWish {
   std::vector<const TriangleMesh*> inserts;
   std::vector<glm::dvec3> formed;
+  bool beside = false;      // whether the inserts have more beside that, along the way
   glm::dvec3 way{1, 0, 0};  // unit
   double land = 0.0;
 };

@@ -170,7 +170,7 @@ class BlankMaker {
         if (own[line].empty()) continue;
         ++formed;
         const double out = own[line].back().to;
-        if (!part[line].empty() && part[line].back().from > out - k_clear) {
+        if (!part[line].empty() && part[line].back().from + part[line].back().to > 2.0 * out) {
           ++behind;
           continue;
         }

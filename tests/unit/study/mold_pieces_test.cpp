@@ -3,7 +3,9 @@
 #include "parting/mold_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <ranges>
 #include <string>
 #include <vector>
@@ -342,6 +344,63 @@ TEST(MoldPieces, AreListedWithTheirOrderAndTravel) {
   EXPECT_EQ(made.find("no shut-off, planar parting surface, flat edge"), 0U) << made;
   EXPECT_NE(made.find(", 1 slide; block of "), std::string::npos) << made;
   EXPECT_EQ(json["transform"][3], (nlohmann::ordered_json{0.0, 0.0, 0.0, 1.0}));
+}
+
+/// A tube of 60 sides, upright, 12 high, with radii of 4 and 8, and in one side an opening from 4 to 8 whose
+/// edges have a corner in the middle: facets above and below of it lean a little.
+TriangleMesh tube_with_side_opening() {
+  constexpr std::uint32_t k_around = 60;
+  TriangleMesh mesh;
+  const auto vertex = [&](double radius, double turn_deg, double z) {
+    const double turn = turn_deg / 180.0 * std::numbers::pi;
+    mesh.vertices.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
+    return static_cast<VertexIndex>(mesh.vertices.size() - 1);
+  };
+  const auto face = [&](std::vector<VertexIndex> corners, bool turned = false) {
+    if (turned) std::ranges::reverse(corners);
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      mesh.facets.push_back({corners[0], corners[k - 1], corners[k]});
+  };
+  std::array<std::vector<std::array<VertexIndex, 2>>, 2> rings;  // inner and outer: low and high of each side
+  std::array<std::array<VertexIndex, 6>, 2> openings{};          // low: three the way around; high
+  for (const std::size_t outer : {0U, 1U}) {
+    const double radius = outer == 1 ? 8.0 : 4.0;
+    const bool turned = outer == 0;
+    for (std::uint32_t k = 0; k < k_around; ++k)
+      rings[outer].push_back({vertex(radius, 6.0 * k - 3.0, 0.0), vertex(radius, 6.0 * k - 3.0, 12.0)});
+    std::array<VertexIndex, 6>& o = openings[outer];
+    for (std::size_t k = 0; k < 6; ++k)
+      o[k] = vertex(radius, 3.0 * static_cast<double>(k % 3) - 3.0, k < 3 ? 4.0 : 8.0);
+    const auto& ring = rings[outer];
+    face({ring[0][0], ring[1][0], o[2], o[1], o[0]}, turned);
+    face({ring[1][1], ring[0][1], o[3], o[4], o[5]}, turned);
+    face({ring[2][0], ring[2][1], ring[1][1], o[5], o[2], ring[1][0]}, turned);
+    face({ring[59][1], ring[59][0], ring[0][0], o[0], o[3], ring[0][1]}, turned);
+    for (std::uint32_t k = 2; k < 59; ++k)
+      face({ring[k][0], ring[k + 1][0], ring[k + 1][1], ring[k][1]}, turned);
+  }
+  const auto& [inner, outer] = rings;
+  for (std::uint32_t k = 0; k < k_around; ++k) {
+    const std::uint32_t n = (k + 1) % k_around;
+    face({inner[k][1], outer[k][1], outer[n][1], inner[n][1]});
+    face({inner[n][0], outer[n][0], outer[k][0], inner[k][0]});
+  }
+  const auto& [i, o] = openings;
+  face({o[0], o[1], o[2], i[2], i[1], i[0]});
+  face({i[3], i[4], i[5], o[5], o[4], o[3]});
+  face({i[0], i[3], o[3], o[0]});
+  face({o[2], o[5], i[5], i[2]});
+  return mesh;
+}
+
+TEST(MoldPieces, ASlideInARoundWallIsASolid) {
+  Study study = study_of(tube_with_side_opening());
+  const MoldPieces& pieces = study.find<MoldPieces>(Progress());
+  EXPECT_TRUE(pieces.unmade.empty()) << pieces.unmade.front().why;
+  ASSERT_EQ(pieces.halves.count(PieceKind::slide), 1U);
+  EXPECT_EQ(pieces.halves.count(PieceKind::insert), 0U);
+  EXPECT_TRUE(pieces.halves.certified());
+  EXPECT_TRUE(pieces.halves.divided);
 }
 
 TEST(MoldPieces, ASlideWithThePartInItsWayIsNone) {
