@@ -400,8 +400,8 @@ class WallDivider {
     std::vector<glm::dvec3> at = at_;
     std::map<Ends, std::vector<VertexIndex>> points;
     for (auto& [ends, columns] : columns_) {
-      const auto [low, high] = ends;
-      const auto along = [&](VertexIndex column) { return share(ends.first, ends.second, column); };
+      const VertexIndex low = ends.first, high = ends.second;
+      const auto along = [this, low, high](VertexIndex column) { return share(low, high, column); };
       std::ranges::sort(columns, {}, along);
       for (const VertexIndex column : columns) {
         points[ends].push_back(static_cast<VertexIndex>(at.size()));

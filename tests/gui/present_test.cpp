@@ -110,6 +110,8 @@ TEST_F(Presenting, IsWrittenAsAFilm) {
 
 TEST_F(Presenting, EndsWithAMessageWhereTheDiskIsFull) {
   std::filesystem::create_symlink("/dev/full", part.output("cup.gif"));
+  window.resize({720, 450});
+  window.settle();
   enter(Step::report);
   click("film");
   click("Make it");
