@@ -128,8 +128,8 @@ class Search {
     chosen_.pop_back();
     for (const std::size_t undercut_part : options_[option].undercut_parts) --covered_[undercut_part];
     // Sums that are taken apart again would keep rounding.
-    for (const std::size_t other : prices_[option] | std::views::keys | std::views::reverse) {
-      price_[other] = former_.back();
+    for (auto other = prices_[option].rbegin(); other != prices_[option].rend(); ++other) {
+      price_[other->first] = former_.back();
       former_.pop_back();
     }
   }
@@ -161,7 +161,7 @@ class Search {
     };
     for (const std::size_t c : options_of_part_[rarest]) order.emplace_back(worth(c), c);
     std::ranges::stable_sort(order, std::greater(), &std::pair<double, std::size_t>::first);
-    for (const std::size_t c : order | std::views::values) {
+    for (const auto& [worth_of_it, c] : order) {
       const double more = cost_now(c);
       choose(c);
       branch(cost + more);

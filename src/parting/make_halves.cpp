@@ -513,7 +513,8 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
   // Round walls divided, which may make others lean, then not.
   for (const double reach : {k_upright_reach * lateral / model.frame.diagonal, 0.0}) {
     if (reach > 0.0 && !beside.divides) continue;
-    if (best && best->certified() && best->surface.shelf_share() > k_level_enough) break;
+    const bool level = best && best->surface.shelf_share() > k_level_enough;
+    if (best && best->certified() && (level || !beside.blanks.empty())) break;
     const auto upright = with_upright_walls(model.part.mesh, frame, reach, progress);
     const bool capped = caps && try_mesh(upright ? *upright : own, &*caps);
     if (upright && !capped) try_mesh(*upright);

@@ -304,7 +304,9 @@ class PieceMaker {
 MoldPieces make_pieces(const PiecesWish& wish, const Progress& progress) {
   if (!wish.plain.made()) return {.halves = wish.plain, .of_inserts = {}, .unmade = {}};
   MoldPieces pieces = PieceMaker(wish, true, progress).run();
-  if (pieces.unmade.empty() || !wish.plain.divided) return pieces;
+  const MoldHalves& made = pieces.halves;
+  const bool none = made.count(PieceKind::slide) + made.count(PieceKind::lifter) == 0;
+  if (pieces.unmade.empty() || !none || !wish.plain.divided) return pieces;
   // Walls that are not divided may cross less by rounding.
   const MoldHalves plain = make_halves(wish.model, wish.plain.frame.z, wish.place, wish.settings, progress,
                                        {.blanks = {}, .divides = false});
