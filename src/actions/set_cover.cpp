@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <ranges>
 #include <utility>
 
 #include "base/check.hpp"
@@ -161,7 +160,7 @@ class Search {
     };
     for (const std::size_t c : options_of_part_[rarest]) order.emplace_back(worth(c), c);
     std::ranges::stable_sort(order, std::greater(), &std::pair<double, std::size_t>::first);
-    for (const auto& [worth_of_it, c] : order) {
+    for (const auto& [value, c] : order) {
       const double more = cost_now(c);
       choose(c);
       branch(cost + more);

@@ -27,6 +27,7 @@ constexpr double k_clear = 1e-6;
 constexpr double k_held = 1e-4;  // less of a way is touched, not blocked
 /// So much do storeys overlap.
 constexpr double k_overlap = 1.1e-3;
+constexpr std::size_t k_of_ranges = 11;  // one in so many, across the rows of the section's lines
 constexpr std::size_t k_section_lines = 64, k_most_steps = 1500, k_exit_lines = 150;
 
 /// Between what heights along the way the blank has to begin at a place of its section.
@@ -60,6 +61,10 @@ struct Front {
 
 /// Brings a front into the ranges by `depth` (Agmon 1954); square to the way where that goes.
 bool bring_within(const std::vector<FrontRange>& ranges, double depth, Front& front) {
+  constexpr double k_close = 1e-3;  // of the depth
+  const double least = 2.0 * (1.0 - k_close) * depth;
+  if (std::ranges::any_of(ranges, [&](const FrontRange& range) { return range.high - range.low < least; }))
+    return false;
   double low = -INFINITY, high = INFINITY, middle = 0.0, spread = 1e-9;
   for (const FrontRange& range : ranges) {
     low = std::max(low, range.low);
@@ -85,7 +90,7 @@ bool bring_within(const std::vector<FrontRange>& ranges, double depth, Front& fr
       sign = here < range.low + depth ? 1.0 : -1.0;
       at = range.at;
     }
-    if (worst <= 1e-3 * depth) {
+    if (worst <= k_close * depth) {
       front.tilt = lean / spread;
       for (double& knot : front.knots) knot -= front.tilt * middle;
       return true;
@@ -245,9 +250,13 @@ class BlankMaker {
       for (const FrontRange& range : ranges) {
         if (range.at.y >= storey.low && range.at.y <= storey.high) own.push_back(range);
       }
-      if (own.empty() || std::ranges::none_of(
-                             k_depths, [&](double depth) { return bring_within(own, depth, storey.front); }))
-        return false;
+      // What some of the ranges do not allow is not looked for in all.
+      std::vector<FrontRange> some;
+      for (std::size_t n = 0; n < own.size(); n += k_of_ranges) some.push_back(own[n]);
+      const auto fits = [&](double depth) {
+        return bring_within(some, depth, storey.front) && bring_within(own, depth, storey.front);
+      };
+      if (own.empty() || std::ranges::none_of(k_depths, fits)) return false;
       storeys.push_back(storey);
     }
     const glm::dvec2 place(0.5 * (low_.x + high_.x), 0.5 * (storeys[0].low + storeys[0].high));

@@ -18,8 +18,8 @@ struct SurfaceFigures {
   double rim_low = 0.0, rim_high = 0.0;
   std::size_t faces = 0;  // parts without a kink, of the shut-offs, too
 
-  /// Share of the surface around the part that its shelf has.
   [[nodiscard]] double rim_range() const { return rim_high - rim_low; }
+  /// Share of the surface around the part that its shelf has.
   [[nodiscard]] double shelf_share() const { return parting_area > 0.0 ? shelf_area / parting_area : 0.0; }
 };
 
