@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -409,21 +408,6 @@ class Trial {
   Facets fill_;
 };
 
-/// Whether a half as it is written hides some of its own surface from its pull, by more than rounding.
-bool hides_itself(const MoldHalves& halves, const Progress& progress) {
-  constexpr double k_most_hidden = 1e-6, k_hair = 1e-6, k_upright_deg = 0.01;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const TriangleMesh& half = halves.written.bodies[k].mesh;
-    const FacetGeometry geometry = facet_geometry(half);
-    const ExactPart part(half, geometry, unit_frame(bounds(half)), progress);
-    const glm::dvec3 up = halves.written.part_frame ? halves.frame.z : glm::dvec3(0, 0, 1);
-    const ExactAreas found =
-        exact_areas(part, {.direction = up, .tau_deg = k_upright_deg, .lateral = k_hair}, progress);
-    if (found.areas[Region::undercut] > k_most_hidden * geometry.total_area) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, const MeetingPlace& place,
@@ -502,9 +486,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
                           progress, model.part.effort, {.in_front = false});
     return try_all(exact, part, caps);
   };
-  UprightPart own{.mesh = model.part.mesh,
-                  .facet_of = std::vector<FacetIndex>(model.part.mesh.facets.size())};
-  std::iota(own.facet_of.begin(), own.facet_of.end(), FacetIndex{0});
+  const UprightPart own = part_as_it_is(model.part.mesh);
   const double lateral =
       place.sides != nullptr ? place.sides->lateral : k_usual_lateral * model.frame.diagonal;
   std::optional<WallCaps> caps;

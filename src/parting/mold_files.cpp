@@ -19,6 +19,8 @@
 #include "mesh/facet_geometry.hpp"
 #include "mesh/flat_faces.hpp"
 #include "mesh/length_unit.hpp"
+#include "mesh/unit_frame.hpp"
+#include "mold/exact/exact_regions.hpp"
 #include "parting/halves/depth_columns.hpp"
 #include "parting/halves/tidy_solid.hpp"
 
@@ -178,6 +180,20 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
 
 glm::dvec3 place_in_part(const MoldHalves& halves, const WrittenMold& mold, const glm::dvec3& at) {
   return mold.part_frame ? at / halves.scale : halves.centre + halves.frame.to_part(at) / halves.scale;
+}
+
+bool hides_itself(const MoldHalves& halves, const Progress& progress) {
+  constexpr double k_most_hidden = 1e-6, k_hair = 1e-6, k_upright_deg = 0.01;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const TriangleMesh& half = halves.written.bodies[k].mesh;
+    const FacetGeometry geometry = facet_geometry(half);
+    const ExactPart part(half, geometry, unit_frame(bounds(half)), progress);
+    const ExactAreas found = exact_areas(
+        part, {.direction = written_up(halves, halves.written), .tau_deg = k_upright_deg, .lateral = k_hair},
+        progress);
+    if (found.areas[Region::undercut] > k_most_hidden * geometry.total_area) return true;
+  }
+  return false;
 }
 
 WrittenMold written_mold(const MoldHalves& halves) {

@@ -12,6 +12,10 @@ namespace moldlight {
 /// The bodies as files have them; make_halves() keeps those of its halves.
 [[nodiscard]] WrittenMold written_mold(const MoldHalves& halves);
 
+/// Whether a half as it is written hides some of its own surface from its pull: more than a millionth of it,
+/// by more than rounding. Throws Cancelled.
+[[nodiscard]] bool hides_itself(const MoldHalves& halves, const Progress& progress);
+
 /// Facets with a smaller height, as a share of the part's diagonal, are needles.
 inline constexpr double k_needle = 1e-7;
 
