@@ -20,15 +20,12 @@ namespace {
 
 /// Facets of a round wall lean by less than the first, as a sine, those that stand by less than the second.
 constexpr double k_most_of_round = 0.09, k_stands = 2e-4;
-/// Of a round wall's area at least so much stands, or leans as much to one side as to the other, and of its
-/// rim at most so much goes on smoothly, where less stands.
-constexpr double k_least_upright = 0.5, k_most_smooth = 0.1;
+/// Of a round wall's area at least so much stands, or leans as much to one side as to the other.
+constexpr double k_least_upright = 0.5;
 constexpr double k_smooth = 0.87;  // cosine of the bend
 /// A corner is off the chord beside it by at most so much of how far it is from the nearer end.
 constexpr double k_steepest = 0.25;
-/// Corners closer than the first, in diagonals, are one, and so are those closer than the second where one
-/// does not divide a side beside the other.
-constexpr double k_one_column = 5e-6, k_near_column = 2e-5;
+constexpr double k_one_column = 5e-6;   // corners closer than this, in diagonals, are one
 constexpr double k_least_lean = 1e-10;  // a facet stands that is no wider as seen along the direction
 constexpr int k_most_divided = 32;      // times
 
@@ -41,7 +38,6 @@ class WallDivider {
         progress_(progress),
         adjacency_(build_adjacency(mesh)),
         in_wall_(mesh.facets.size(), Membership::none),
-        columns_joined_(mesh.vertices.size()),
         column_of_(mesh.vertices.size()) {
     for (const glm::dvec3& vertex : mesh.vertices) own_.push_back(frame.in_mold(vertex));
     at_ = own_;
@@ -51,8 +47,7 @@ class WallDivider {
     find_walls();
     for (int round = 0; round < k_most_divided; ++round) {
       join_columns();
-      while (!divide_edges()) {
-      }
+      divide_edges();
       if (columns_.empty()) break;
       if (auto part = divided()) return part;
     }
@@ -67,7 +62,6 @@ class WallDivider {
 
   struct Wall {
     double stands = 0.0, up = 0.0, down = 0.0;  // twice the areas
-    double rim = 0.0, smooth = 0.0;             // lengths
   };
 
   [[nodiscard]] glm::dvec2 seen(VertexIndex vertex) const { return glm::dvec2(at_[vertex]); }
@@ -133,29 +127,20 @@ class WallDivider {
       (std::abs(lean) < k_stands ? wall.stands
        : lean > 0.0              ? wall.up
                                  : wall.down) += glm::length(twice_area(facet));
-      for (std::size_t k = 0; k < 3; ++k) {
-        const FacetIndex beside = adjacency_.across[facet][k];
-        if (beside != k_no_facet && round[beside] != 0 && walls.find(beside) == walls.find(facet)) continue;
-        const auto& corners = mesh_.facets[facet];
-        const double length = glm::distance(at_[corners[k]], at_[corners[(k + 1) % 3]]);
-        wall.rim += length;
-        if (is_smooth(facet, beside)) wall.smooth += length;
-      }
     }
     for (FacetIndex facet = 0; facet < count; ++facet) {
       if (round[facet] == 0) continue;
       const Wall& wall = found[walls.find(facet)];
-      const double least = k_least_upright * (wall.stands + wall.up + wall.down);
-      const bool balanced =
-          wall.stands + 2.0 * std::min(wall.up, wall.down) >= least && wall.smooth < k_most_smooth * wall.rim;
-      if (wall.stands >= least || balanced) in_wall_[facet] = Membership::member;
+      const double all = wall.stands + wall.up + wall.down;
+      if (wall.stands + 2.0 * std::min(wall.up, wall.down) >= k_least_upright * all)
+        in_wall_[facet] = Membership::member;
     }
   }
 
   /// Corners of walls that are the same as seen along the direction stand where the first does.
   void join_columns() {
     at_ = own_;
-    columns_joined_ = UnionFind(at_.size());
+    UnionFind joined(at_.size());
     std::vector<char> in_wall(at_.size(), 0);
     for (FacetIndex facet = 0; facet < in_wall_.size(); ++facet) {
       if (in_wall_[facet] == Membership::none) continue;
@@ -174,22 +159,18 @@ class WallDivider {
         if (there == met.end()) continue;
         for (const VertexIndex other : there->second) {
           known = known || seen(other) == seen(v);
-          if (glm::distance(seen(other), seen(v)) < k_one_column) columns_joined_.join(other, v);
+          if (glm::distance(seen(other), seen(v)) < k_one_column) joined.join(other, v);
         }
       }
       if (!known) met[own].push_back(v);
     }
-    place_columns();
-  }
-  void place_columns() {
-    for (VertexIndex v = 0; v < at_.size(); ++v) column_of_[v] = columns_joined_.find(v);
+    for (VertexIndex v = 0; v < at_.size(); ++v) column_of_[v] = joined.find(v);
     for (VertexIndex v = 0; v < at_.size(); ++v) at_[v] = glm::dvec3(seen(column_of_[v]), at_[v].z);
   }
 
   /// Facets that lean are divided at their corner between, as is what stands above and below in their wall.
-  /// Facets where that does not go are no part of it. False where columns are too close for it, which are
-  /// joined.
-  bool divide_edges() {
+  /// Facets where that does not go are no part of it.
+  void divide_edges() {
     columns_.clear();
     std::vector<FacetIndex> next;
     for (FacetIndex facet = 0; facet < in_wall_.size(); ++facet) {
@@ -201,21 +182,18 @@ class WallDivider {
         next.push_back(facet);
       }
     }
-    bool joined = false;
     while (!next.empty()) {
       progress_.report(k_halves_stage, 0.0);
       const FacetIndex facet = next.back();
       next.pop_back();
       in_wall_[facet] = Membership::member;
-      if (!divide(facet, next, joined)) in_wall_[facet] = Membership::none;
+      if (!divide(facet, next)) in_wall_[facet] = Membership::none;
     }
-    if (joined) place_columns();
-    return !joined;
   }
 
   /// Divides a facet's sides at all columns that one of them is divided at, and at the corner between; adds
   /// the wall's facets across to `next`. False where a column is not beside a side.
-  bool divide(FacetIndex facet, std::vector<FacetIndex>& next, bool& joined) {
+  bool divide(FacetIndex facet, std::vector<FacetIndex>& next) {
     const auto [a, b, c] = along(facet);
     const double between = share(a, b, c);
     std::vector<VertexIndex> wanted = {column_of_[c]};
@@ -228,13 +206,7 @@ class WallDivider {
     const auto add = [&](VertexIndex from, VertexIndex to, VertexIndex column) {
       const auto known = columns_.find(edge(from, to));
       if (known != columns_.end() && std::ranges::binary_search(known->second, column)) return true;
-      if (off(from, to, column) > 2.0 * reach_ || !is_beside(from, to, column, 2.0)) {
-        const VertexIndex nearer = share(from, to, column) < 0.5 ? from : to;
-        if (glm::distance(seen(nearer), seen(column)) > k_near_column) return false;
-        columns_joined_.join(nearer, column);
-        joined = true;
-        return true;
-      }
+      if (off(from, to, column) > 2.0 * reach_ || !is_beside(from, to, column, 2.0)) return false;
       std::vector<VertexIndex>& all = columns_[edge(from, to)];
       all.insert(std::ranges::lower_bound(all, column), column);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -377,9 +349,8 @@ class WallDivider {
   double reach_;
   const Progress& progress_;
   Adjacency adjacency_;
-  std::vector<glm::dvec3> own_, at_;  // in the mold's frame: as they come, and in their columns
-  std::vector<Membership> in_wall_;   // of a facet in a round wall
-  UnionFind columns_joined_;
+  std::vector<glm::dvec3> own_, at_;    // in the mold's frame: as they come, and in their columns
+  std::vector<Membership> in_wall_;     // of a facet in a round wall
   std::vector<VertexIndex> column_of_;  // the first vertex at the same place as seen along the direction
   std::map<Ends, std::vector<VertexIndex>> columns_;  // at which edges are divided
 };

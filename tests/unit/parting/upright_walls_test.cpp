@@ -1,5 +1,6 @@
 #include "parting/upright_walls.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -101,6 +102,36 @@ TEST(UprightWalls, AreDividedWhereFacetsOfARoundWallLeanBothWays) {
   }
   // Closed, the prism over both rings' outlines together.
   EXPECT_NEAR(signed_volume(part->mesh), k_twisted * std::sin(std::numbers::pi / k_twisted), 1e-12);
+}
+
+TEST(UprightWalls, AreNotDividedWhereTheFacetsBesideWouldTurnOver) {
+  // On a flange that is wider by less than what the wall's foot would bulge.
+  TriangleMesh mesh = twisted_prism(1.0);
+  const std::uint32_t foot = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const double z : {0.0, -0.5}) {
+    for (std::uint32_t k = 0; k < k_twisted; ++k)
+      mesh.vertices.push_back(glm::dvec3(1.0005, 1.0005, 0.0) * mesh.vertices[k] + glm::dvec3(0, 0, z));
+  }
+  mesh.vertices[2 * k_twisted].z = -0.5;  // the middle of the bottom
+  for (std::uint32_t k = 0; k < k_twisted; ++k) {
+    const std::uint32_t a = k, b = (k + 1) % k_twisted;
+    auto& bottom = mesh.facets[4 * k + 2];
+    bottom = {foot + k_twisted + b, foot + k_twisted + a, 2 * k_twisted};
+    for (const auto& [p, q, r, s] :
+         {std::array{a, foot + a, foot + b, b},
+          std::array{foot + a, foot + k_twisted + a, foot + k_twisted + b, foot + b}}) {
+      mesh.facets.push_back({p, q, r});
+      mesh.facets.push_back({p, r, s});
+    }
+  }
+  ASSERT_TRUE(health_report(mesh, facet_geometry(mesh)).closed);
+  const auto part = with_upright_walls(mesh, frame_of(mesh), k_reach, Progress());
+  const TriangleMesh& made = part ? part->mesh : mesh;
+  const FacetGeometry own = facet_geometry(mesh), divided = facet_geometry(made);
+  EXPECT_TRUE(health_report(made, divided).closed);
+  for (FacetIndex facet = 0; facet < made.facets.size(); ++facet)
+    EXPECT_GT(glm::dot(divided.normals[facet], own.normals[part ? part->facet_of[facet] : facet]), 0.0)
+        << facet;
 }
 
 TEST(UprightWalls, LeaveWhatIsFartherOff) {
