@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "actions/action_figures.hpp"
+#include "actions/action_words.hpp"
 #include "actions/best_changes.hpp"
 #include "classify/classify_report.hpp"
+#include "classify/figure_table.hpp"
 #include "classify/json.hpp"
 #include "classify/method_options.hpp"
 #include "classify/number_format.hpp"
@@ -134,6 +136,35 @@ Json rejected_json(const RejectedAction& rejected) {
 double unsigned_zero(double value) { return std::abs(value) < 5e-3 ? 0.0 : value; }
 
 }  // namespace
+
+std::string undercut_items(const PartModel& model, const ActionPlan& plan, std::size_t undercut) {
+  const UndercutReport& found = plan.undercuts[undercut];
+  const FigureStyle style(model);
+  std::string text = style.with_unit(FigureKind::area, found.undercut.area);
+  if (found.depth) text += " · depth " + style.with_unit(FigureKind::length, *found.depth);
+  const SideAction* const action = action_of(plan, undercut);
+  if (action == nullptr) return text;
+  if (std::ranges::find(plan.unreleased, undercut) != plan.unreleased.end()) text += " · partly released";
+  return text + fmt::format(" · travel {} · {}{}{}", style.with_unit(FigureKind::length, action->travel),
+                            detail_text(*action, length_unit(model.part)), shared_text(*action, undercut),
+                            others_text(plan, undercut, *action));
+}
+
+std::string undercut_details(const PartModel& model, const ActionPlan& plan, std::size_t undercut) {
+  const SideAction* const action = action_of(plan, undercut);
+  if (action == nullptr) return {};
+  const FigureStyle style(model);
+  const std::string unit = length_unit(model.part);
+  std::string text = fmt::format(
+      "{} along {}\ntravel {:.2f} {} · {}{}", facts(action->kind).singular,
+      with_minus(direction_words(action->direction)), action->travel, unit, detail_text(*action, unit),
+      shared_text(*action, undercut) + others_text(plan, undercut, *action) + meets_text(plan, *action));
+  for (const FoundFigure& figure : found_figures(body_figures(), *action))
+    if (figure.value && !figure.title.empty())
+      text += fmt::format("{}{} {}", figure.key == body_figures().front().key ? "\n" : " · ", figure.title,
+                          style.with_unit(figure.kind, *figure.value));
+  return action->body ? text + " · " + clear_text(*action, plan, unit) : text;
+}
 
 std::string change_text(const ActionsReport& report, std::size_t undercut, bool with_places) {
   const PartModel& model = report.model;

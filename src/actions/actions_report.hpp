@@ -31,6 +31,12 @@ struct ActionsReport {
 /// nothing. The changes were looked for. `with_places`: where the window is, too.
 [[nodiscard]] std::string change_text(const ActionsReport& report, std::size_t undercut,
                                       bool with_places = true);
+/// "68 mm² · depth 2 mm · travel 5 mm · free -1.0 to 1.0° · with 3", without what is not known.
+[[nodiscard]] std::string undercut_items(const PartModel& model, const ActionPlan& plan,
+                                         std::size_t undercut);
+/// The same of its action alone, in lines: its direction, what it meets, its body.
+[[nodiscard]] std::string undercut_details(const PartModel& model, const ActionPlan& plan,
+                                           std::size_t undercut);
 /// Pairs of slides, or of lifters, that would meet, named as their rows are counted, in a paragraph; empty
 /// where there are none.
 [[nodiscard]] std::string meetings_text(const ActionPlan& plan);

@@ -20,6 +20,19 @@ bool goes_first(const SideAction& action) {
   return action.kind != ActionKind::lifter && action.kind != ActionKind::insert && action.travel > 0.0;
 }
 
+std::string first_moves_text(const ActionPlan& plan) {
+  ActionCounts counts{};
+  std::size_t all = 0;
+  for (const SideAction& action : plan.actions) {
+    if (!goes_first(action)) continue;
+    ++counts[static_cast<std::size_t>(action.kind)];
+    ++all;
+  }
+  std::string text = actions_text(counts);
+  if (const std::size_t last = text.rfind(", "); last != std::string::npos) text.replace(last, 2, " and ");
+  return text + (all == 1 ? " moves out first." : " move out first.");
+}
+
 OpeningWays ways_of(const ActionPlan* plan) {
   OpeningWays ways;
   if (plan == nullptr) return ways;

@@ -1,12 +1,17 @@
 // In which order a mold opens, and how far each of its parts has moved.
 #pragma once
 
+#include <string>
+
 #include "actions/side_action.hpp"
 
 namespace moldlight {
 
 /// Whether it moves before the halves; lifters and inserts come with the part.
 [[nodiscard]] bool goes_first(const SideAction& action);
+
+/// "1 slide moves out first.", "2 slides and 1 unscrewing core move out first."
+[[nodiscard]] std::string first_moves_text(const ActionPlan& plan);
 
 /// The greatest travels of what moves before the halves, and after them.
 struct OpeningWays {

@@ -52,7 +52,10 @@ std::string cell_text(const PartResult& row, RowColumn column) {
   }
   const auto value = column_value(row, column);
   if (!value) return "";
-  return column == RowColumn::share ? fmt::format("{:.2f} %", 100.0 * *value) : figure(*value);
+  const bool area = column == RowColumn::undercut || column == RowColumn::unreleased;
+  return column == RowColumn::share ? fmt::format("{:.2f} %", 100.0 * *value)
+         : area ? fmt::format("{} {}²", figure(*value), row.unit.empty() ? "unit" : row.unit)
+                : figure(*value);
 }
 
 std::vector<RowColumn> used_columns(std::span<const PartResult> rows) {

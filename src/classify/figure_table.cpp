@@ -89,6 +89,10 @@ std::string FigureStyle::unit(FigureKind kind) const {
   return kind == FigureKind::volume ? volume_ : std::string();
 }
 
+std::string area_with_unit(const PartModel& model, double area) {
+  return grouped(rounded_area(area, model.geometry.total_area)) + " " + powered_unit(model.part, 2);
+}
+
 std::string FigureStyle::with_unit(FigureKind kind, double value) const {
   const std::string beside = unit(kind);
   return text(kind, value) + (beside.empty() ? "" : " " + beside);

@@ -75,6 +75,9 @@ template <typename Of>
 /// Sets what has a key, with all digits; null what is not known.
 void put_figures(const std::vector<FoundFigure>& figures, Json& json);
 
+/// "982.2 mm²", of the part's surface.
+[[nodiscard]] std::string area_with_unit(const PartModel& model, double area);
+
 /// Digits and units for people: four digits, none below what rounding leaves of the part's own measures.
 class FigureStyle {
  public:

@@ -118,7 +118,7 @@ std::span<const Option<LookSettings>> look_options() {
        choice<&S::palette>({"paper", "safe"})},
       {"colouring", "--colouring", "Colour by", "", "Colour the surface by region or by draft angle.",
        choice<&S::colour_mode>({"regions", "draft"})},
-      {"open_mold", "--open-mold", "Open the mold", k_half_diagonal,
+      {"open_mold", "--open-mold", "Opened", k_half_diagonal,
        "Move the surfaces of core and cavity apart along the parting direction. Undercuts stay in place.",
        RealKind<S>{&S::open_mold, 0.0, 1.0, 0.01}},
       {"transparency", "--transparency", "Transparency", k_share,

@@ -61,7 +61,9 @@ ChangeWords ChangeWording::of_undercut(const MatchedChange& change) const {
   std::string was, now;
   if (change.a) was = undercut(comparison_.a, *change.a, words.before);
   if (change.b) now = undercut(comparison_.b, *change.b, words.now);
-  words.more = change.a && change.b ? fmt::format("deep {}, now {}", was, now) : "deep " + was + now;
+  const std::string unit = length_unit(comparison_.a.model->part);
+  words.more = change.a && change.b ? fmt::format("{0} {2} deep, now {1} {2}", was, now, unit)
+                                    : fmt::format("{}{} {} deep", was, now, unit);
   return words;
 }
 
@@ -70,8 +72,9 @@ ChangeWords ChangeWording::of_action(const MatchedChange& change) const {
   const auto action = [&](const ActionPlan& plan, std::size_t number, std::string& area) {
     const SideAction& one = plan.actions[number];
     area = grouped(areas_.text(one.area));
-    return with_minus(fmt::format("{} {} travel {}", facts(one.kind).singular, direction_words(one.direction),
-                                  grouped(lengths_.text(one.travel))));
+    return with_minus(fmt::format("{} {} travel {} {}", facts(one.kind).singular,
+                                  direction_words(one.direction), grouped(lengths_.text(one.travel)),
+                                  length_unit(comparison_.a.model->part)));
   };
   std::string was, now;
   if (change.a) was = action(*comparison_.a.plan, *change.a, words.before);

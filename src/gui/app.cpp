@@ -50,6 +50,16 @@ void App::say(std::string text, bool failure) {
   if (state_.toasts.size() > k_most) state_.toasts.erase(state_.toasts.begin());
 }
 
+bool App::attempt(const std::function<void()>& act) {
+  try {
+    act();
+    return true;
+  } catch (const Error& error) {
+    say(error.what(), true);
+    return false;
+  }
+}
+
 void App::prepare(const FrameInput& input) {
   now_s_ = input.now_s;
   size_ = glm::max(input.size, glm::ivec2(1));
@@ -150,8 +160,8 @@ bool App::takes_key(const KeyPress& press, bool typing) const {
   }
   const UiMemory& memory = imgui_.memory();
   const Dialogs& dialogs = state_.dialogs;
-  const bool asked = dialogs.browser || dialogs.exporting || dialogs.settings || dialogs.picture ||
-                     dialogs.finishes || dialogs.dropped || dialogs.film;
+  const bool asked = dialogs.browser || dialogs.exporting || dialogs.exporting_mold || dialogs.settings ||
+                     dialogs.picture || dialogs.finishes || dialogs.dropped || dialogs.film;
   return memory.keyboard.focused() || memory.popups.any() || asked;
 }
 
@@ -262,7 +272,7 @@ void App::end_jobs() {
 
 void App::save() {
   if (!options_.persistent) return;
-  try {
+  attempt([this] {
     for (const Option<WindowSettings>& option : window_options()) {
       const std::string text = option_text(option, state_.window);
       if (text != option_text(option, begun_with_)) set_option(option, options_.user.window, text);
@@ -271,14 +281,13 @@ void App::save() {
     options_.user.hints_done = state_.hints_done;
     options_.user.layout = layout_.text();
     save_user_state(options_.user);
-    const PartNotes notes{state_.settings, state_.bookmarks, noted_unit_};
+    PartNotes notes{state_.settings, state_.bookmarks, noted_unit_};
+    if (is_at(state_, Step::draft)) notes.settings.look.colour_mode = ColourMode::regions;  // the step's own
     if (!state_.model || notes == saved_notes_) return;
     const std::string path = state_.notes_beside ? notes_path_beside(state_.path) : notes_path(state_.path);
     if (!path.empty()) write_text(path, part_notes_json(notes, state_.path));
     saved_notes_ = notes;
-  } catch (const Error& error) {
-    say(error.what(), true);
-  }
+  });
 }
 
 }  // namespace moldlight::gui

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gl/context.hpp"
+#include "gl/objects.hpp"
 #include "gui/app_state.hpp"
 #include "gui/commands.hpp"
 #include "gui/draw/imgui_session.hpp"
@@ -117,6 +118,8 @@ class App {
   /// True once the user has asked to end the program.
   [[nodiscard]] bool quitting() const { return quitting_; }
   void say(std::string text, bool failure);
+  /// False where it fails, which is said.
+  bool attempt(const std::function<void()>& act);
   /// Asks all that runs in the background to end, without waiting for it.
   void end_jobs();
   /// Saves what is to be remembered.
@@ -253,7 +256,9 @@ class App {
   static constexpr int k_film_rate = 12;  // pictures a second
   std::optional<Presentation> presentation_;
   double presented_last_s_ = 0.0;
-  Moment presented_;                     // in this frame
+  Moment presented_;                            // in this frame
+  std::optional<gl::ColourTarget> without_it_;  // the picture before what appeared last
+  double appeared_s_ = 0.0;
   std::optional<Camera> camera_before_;  // the presentation
   std::unique_ptr<Film> film_;           // of the presentation that runs
   std::string film_path_;

@@ -29,6 +29,7 @@ void convert_lengths(MethodSettings& method, std::string_view from, std::string_
 
 void App::open(const std::string& path) {
   const std::string part = absolute_path(path);
+  state_.tour.reset();  // who has a part of their own needs no guide
   if (batch::is_batch(part)) return open_batch(part);
   const bool again = state_.model && part == state_.path;
   state_.bodies.whole.reset();  // the file may have changed
@@ -95,11 +96,7 @@ void App::poll_jobs() {
     } else if (!outcome->result) {
       // It was given up.
     } else if (auto* part = std::get_if<LoadedPart>(&*outcome->result)) {
-      try {
-        install(std::move(*part), loading.notes);
-      } catch (const Error& error) {
-        say(error.what(), true);
-      }
+      attempt([&] { install(std::move(*part), loading.notes); });
     } else {
       state_.batch = std::get<std::shared_ptr<const BatchTable>>(*outcome->result);
       state_.dialogs = Dialogs();

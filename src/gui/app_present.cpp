@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 #include "classify/still_picture.hpp"
 #include "gl/objects.hpp"
@@ -21,19 +22,7 @@ namespace {
 constexpr int k_widest_film = 1100;    // pixels; a larger window's pictures are halved
 constexpr float k_caption_room = 96;   // layout units, below what is shown
 constexpr double k_over_floor = 0.02;  // unit frame
-
-/// Each pixel the mean of four.
-Image halved(const Image& image) {
-  Image half = empty_image(image.width / 2, image.height / 2);
-  for (int y = 0; y < half.height; ++y)
-    for (int x = 0; x < half.width; ++x)
-      for (std::size_t c = 0; c < 4; ++c)
-        half.at(x, y)[c] = static_cast<std::uint8_t>(
-            (image.at(2 * x, 2 * y)[c] + image.at(2 * x + 1, 2 * y)[c] + image.at(2 * x, 2 * y + 1)[c] +
-             image.at(2 * x + 1, 2 * y + 1)[c] + 2) /
-            4);
-  return half;
-}
+constexpr double k_fade_s = 0.6;
 
 }  // namespace
 
@@ -54,16 +43,14 @@ Presentation App::made_presentation() const {
   std::vector<Act> acts;
   acts.push_back(
       {.camera = seen(from_above, closed),
-       .caption = fmt::format("{} opens along {}", std::filesystem::path(state_.path).stem().string(),
+       .caption = fmt::format("{} opens along {}.", std::filesystem::path(state_.path).stem().string(),
                               with_minus(direction_words(direction)))});
   if (figures.split && figures.undercuts && figures.undercuts->count > 0) {
     const UndercutTotals& totals = *figures.undercuts;
     from_undercuts = revealing_orientation(*state_.model, std::span(&figures.split, 1), direction);
-    acts.push_back(
-        {.camera = seen(from_undercuts, closed),
-         .caption = fmt::format("{}, {} {}", plural(totals.count, "undercut"),
-                                grouped(rounded_area(totals.area, state_.model->geometry.total_area)),
-                                powered_unit(state_.model->part, 2))});
+    acts.push_back({.camera = seen(from_undercuts, closed),
+                    .caption = fmt::format("It has {}: {} of its surface.", plural(totals.count, "undercut"),
+                                           area_with_unit(*state_.model, totals.area))});
   }
   const Camera whole = seen(from_above, opened);
   const OpenedMold end = opened_mold(plan, 1.0);
@@ -71,9 +58,12 @@ Presentation App::made_presentation() const {
   if (slides > 0.0)
     acts.push_back({.camera = seen(from_undercuts, points_shown(slides, false)),
                     .open = slides,
-                    .caption = "The slides move out first: " + actions_summary(state_)});
-  acts.push_back({.length_s = 5.0, .camera = whole, .open = 1.0, .caption = "The halves open"});
-  if (end.lifters > 0.0) acts.back().caption += ", and the part is ejected";
+                    .caption = first_moves_text(*plan)});
+  acts.push_back(
+      {.length_s = 5.0,
+       .camera = whole,
+       .open = 1.0,
+       .caption = end.lifters > 0.0 ? "The halves open, and the part is ejected." : "The halves open."});
   if (state_.verdict) acts.push_back({.camera = whole, .open = 1.0, .caption = state_.verdict->sentence});
   for (Act& act : acts) {
     for (const glm::vec3& point : points_shown(act.open, act.open > slides))
@@ -107,6 +97,7 @@ void App::present() {
 
 void App::end_presenting() {
   presentation_.reset();
+  without_it_.reset();
   state_.presented.reset();
   state_.camera = *std::exchange(camera_before_, std::nullopt);
   if (film_) say("The film was not finished", true);
@@ -128,7 +119,19 @@ void App::go_on_presenting() {
   const Moment moment = presentation_->at(shown.time_s);
   shown.caption = moment.caption;
   state_.camera = moment.camera;
+  const auto there = [&](const Moment& at) {  // of slides and halves
+    return std::pair(at.open > 0.0, at.open > slides_end(state_.actions.plan.get()));
+  };
+  if (scene_ && there(presented_) < there(moment)) {  // what is new fades in
+    without_it_.emplace(context_->functions(), size_);
+    const ViewTarget target{.framebuffer = without_it_->framebuffer(), .size = size_};
+    while (scene_->draw(target, scene_settings()) && film_) {
+    }
+    appeared_s_ = shown.time_s;
+  }
   presented_ = moment;
+  shown.fade = without_it_ ? std::max(0.0, 1.0 - (shown.time_s - appeared_s_) / k_fade_s) : 0.0;
+  shown.fading = shown.fade > 0.0 ? without_it_->texture() : 0;
 }
 
 void App::add_to_film(const ViewTarget& target) {
@@ -137,22 +140,15 @@ void App::add_to_film(const ViewTarget& target) {
                 gl::read_colours(context_->functions(), target.framebuffer, target.size)};
   if (target.size.x > k_widest_film) picture = halved(picture);
   if (glm::ivec2(picture.width, picture.height) != film_size_) return end_presenting();  // another window
-  try {
-    film_->add(picture);
-  } catch (const Error& error) {  // such as that of a full disk
-    say(error.what(), true);
-    film_.reset();
-    end_presenting();
-  }
+  if (attempt([&] { film_->add(picture); })) return;
+  film_.reset();
+  end_presenting();
 }
 
 void App::finish_film() {
-  try {
-    film_->finish();
+  if (attempt([&] { film_->finish(); })) {
     saved_to_ = std::filesystem::path(film_path_).parent_path().string();
     say("Film saved as " + film_path_, false);
-  } catch (const Error& error) {
-    say(error.what(), true);
   }
   film_.reset();
 }
@@ -164,15 +160,12 @@ void Commands::pause_presenting() {
 }
 
 void Commands::film(const std::string& path) {
-  try {
-    app.film_size_ = app.size_.x > k_widest_film ? app.size_ / 2 : app.size_;
-    app.film_ = begin_film(path, {.size = app.film_size_, .rate = App::k_film_rate});
-    app.film_path_ = path;
-    app.present();
-    if (!app.presentation_) app.film_.reset();
-  } catch (const Error& error) {
-    say(error.what(), true);
-  }
+  app.film_size_ = app.size_.x > k_widest_film ? app.size_ / 2 : app.size_;
+  app.film_path_ = path;
+  if (!app.attempt([&] { app.film_ = begin_film(path, {.size = app.film_size_, .rate = App::k_film_rate}); }))
+    return;
+  app.present();
+  if (!app.presentation_) app.film_.reset();
 }
 
 void Commands::keep_view() {

@@ -66,12 +66,8 @@ void App::arrange_revisions() {
     const bool first = !revision_;
     revision_.reset();
     if (prepared) {
-      try {
-        revision_ = std::make_unique<RevisionPicture>(*context_, prepared);
-      } catch (const Error& error) {
-        say(error.what(), true);
+      if (!attempt([&] { revision_ = std::make_unique<RevisionPicture>(*context_, prepared); }))
         comparer_.leave(state_.revisions);
-      }
     }
     state_.revisions.hover.reset();
     if (revision_ && first) {

@@ -196,6 +196,8 @@ struct Presented {
   std::string caption;
   double time_s = 0.0;  // since it began
   bool paused = false, recording = false;
+  unsigned fading = 0;  // a picture over this one
+  double fade = 0.0;    // how much of it is left
 };
 
 /// Which dialogs are open.

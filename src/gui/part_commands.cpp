@@ -319,24 +319,21 @@ void Commands::give_finish(FacetIndex facet) {
 
 void Commands::load_finishes(const std::string& path) {
   RequiredDraft& draft = app.state_.settings.required_draft;
-  try {
-    draft.finishes = read_finishes(path, *app.state_.model, draft.texture_rule, {});
-    app.history_.settle(app.state_.settings);
-    say(fmt::format("{} took the finishes of {}", plural(draft.finishes.size(), "face"), path), false);
-  } catch (const Error& error) {
+  const bool read =
+      app.attempt([&] { draft.finishes = read_finishes(path, *app.state_.model, draft.texture_rule, {}); });
+  if (!read) {
     app.state_.dialogs.finishes = false;  // another path may do
-    say(error.what(), true);
+    return;
   }
+  app.history_.settle(app.state_.settings);
+  say(fmt::format("{} took the finishes of {}", plural(draft.finishes.size(), "face"), path), false);
 }
 
 void Commands::save_finishes(const std::string& path) {
-  try {
-    write_finishes(path, app.state_.settings.required_draft.finishes);
+  if (app.attempt([&] { write_finishes(path, app.state_.settings.required_draft.finishes); }))
     say("Saved to " + path, false);
-  } catch (const Error& error) {
+  else
     app.state_.dialogs.finishes = true;
-    say(error.what(), true);
-  }
 }
 
 void Commands::move_face(FacetIndex facet) {

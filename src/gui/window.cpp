@@ -223,12 +223,8 @@ AppOptions app_options(const WindowOptions& options) {
 
 void save_picture(App& app, WindowContext& context, const std::string& path) {
   const glm::ivec2 size = context.framebuffer_size();
-  try {
-    write_picture(path, size, gl::read_colours(context.functions(), 0, size));
+  if (app.attempt([&] { write_picture(path, size, gl::read_colours(context.functions(), 0, size)); }))
     app.picture_saved(path);
-  } catch (const Error& error) {
-    app.say(error.what(), true);
-  }
 }
 
 void run_frames(App& app, WindowContext& context, const Progress& progress) {

@@ -13,17 +13,11 @@ namespace moldlight {
 
 namespace {
 
-/// "Core half 123 mm³ · Cavity half 120 mm³".
-std::string figures_line(const FigureStyle& style, const std::vector<FoundFigure>& figures,
-                         bool of_surfaces) {
-  std::string line;
-  for (const FoundFigure& figure : figures) {
-    if (!style.is_shown(figure) || figure.key.starts_with("surface") != of_surfaces) continue;
-    const std::string unit = style.unit(figure.kind);
-    line += fmt::format("{}{} {}{}{}", line.empty() ? "" : " · ", figure.title, grouped(style.text(figure)),
-                        unit.empty() ? "" : " ", unit);
-  }
-  return with_minus(line);
+/// "Core half", "123 mm³".
+HalvesLine figure_line(const FigureStyle& style, const FoundFigure& figure) {
+  const std::string unit = style.unit(figure.kind);
+  return {.text = std::string(figure.title),
+          .figure = with_minus(grouped(style.text(figure)) + (unit.empty() ? "" : " " + unit))};
 }
 
 }  // namespace
@@ -38,14 +32,17 @@ std::string halves_refusal(const SaidHalves& said) {
 std::vector<HalvesLine> halves_lines(const SaidHalves& said) {
   if (const std::string refusal = halves_refusal(said); !refusal.empty()) return {{refusal, true}};
   const FigureStyle style(said.model);
-  const std::vector<FoundFigure> figures = found_figures(halves_figures(), said.halves);
-  std::vector<HalvesLine> lines = {{figures_line(style, figures, false)},
-                                   {figures_line(style, figures, true)}};
+  std::vector<HalvesLine> lines;
+  for (const FoundFigure& figure : found_figures(halves_figures(), said.halves))
+    if (style.is_shown(figure)) lines.push_back(figure_line(style, figure));
   for (const std::string& fault : half_faults(said.model, said.halves))
     lines.push_back({sentence_of(fault), true});
   for (const std::string& missed : missed_lines(said.model, said.halves)) lines.push_back({missed, true});
-  if (const std::string unfilled = unfilled_text(said.model, said.settings, said.halves); !unfilled.empty()) {
-    lines.push_back({"No files: " + unfilled, true});
+  if (!unfilled_text(said.model, said.settings, said.halves).empty()) {
+    lines.push_back({fmt::format("Neither half forms {} in {}. Fill undercuts to export the halves.",
+                                 style.with_unit(FigureKind::volume, said.halves.insert_volume),
+                                 plural(said.halves.inserts.size(), "place")),
+                     true});
   } else if (said.by_action != nullptr) {
     const auto moved = std::ranges::count_if(
         *said.by_action, [](const InsertActions& insert) { return !insert.actions.empty(); });

@@ -10,7 +10,8 @@ namespace moldlight {
 
 struct HalvesLine {
   std::string text;
-  bool doubt = false;  // something is to be done
+  bool doubt = false;       // something is to be done
+  std::string figure = {};  // with its unit, where the text is its title
 };
 
 /// Of what is said.

@@ -136,7 +136,7 @@ constexpr FigureRow<MoldHalves> k_halves_figures[] = {
      member<&MoldHalves::surface, &SurfaceFigures::shut_off_area>, "", unless_nothing},
     {"surfaces/steepest_deg", "Steepest slope", Kind::angle,
      member<&MoldHalves::surface, &SurfaceFigures::steepest_deg>, "", unless_nothing},
-    {"surfaces/too_steep", "Steeper than --slope", Kind::area,
+    {"surfaces/too_steep", "Steeper than permitted", Kind::area,
      member<&MoldHalves::surface, &SurfaceFigures::too_steep_area>, "", unless_nothing},
     {"surfaces/contact", "Steel on steel without draft", Kind::area, member<&MoldHalves::contact_area>, "",
      unless_nothing},

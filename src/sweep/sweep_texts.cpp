@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 
 namespace moldlight {
@@ -52,6 +53,22 @@ std::string mold_text(const PartModel& model, const SweepCandidate& candidate) {
 
 double undercut_area(const SweepCandidate& candidate) {
   return candidate.classification.areas[Region::undercut];
+}
+
+std::string proof_text(const PartModel& model, const SweepProof& proof, const glm::dvec3& direction) {
+  const auto bound = proof.bound_at(direction);
+  if (!bound) return "open: not proved";
+  return fmt::format("proved: at least {}{}", area_with_unit(model, *bound),
+                     proof.grade == ProofGrade::samples
+                         ? fmt::format(" ± {}", area_with_unit(model, proof.bound_error))
+                         : "");
+}
+
+std::string proved_text(const PartModel& model, const SweepProof& proof) {
+  if (proof.open.empty())
+    return fmt::format("Proved: at least {} everywhere.", area_with_unit(model, proof.bound));
+  return fmt::format("Proved outside of the rings: at least {}. Open: {:.2g} % of the directions.",
+                     area_with_unit(model, proof.bound), 100.0 * (1.0 - proof.proved_share));
 }
 
 }  // namespace moldlight

@@ -27,4 +27,10 @@ namespace moldlight {
 
 [[nodiscard]] double undercut_area(const SweepCandidate& candidate);
 
+/// "proved: at least 12.3 mm²": of a proof for a unit direction.
+[[nodiscard]] std::string proof_text(const PartModel& model, const SweepProof& proof,
+                                     const glm::dvec3& direction);
+/// What a proof leaves proved of all directions, in a sentence or two.
+[[nodiscard]] std::string proved_text(const PartModel& model, const SweepProof& proof);
+
 }  // namespace moldlight

@@ -44,7 +44,7 @@ TEST_F(Draft, FollowsTheRequiredDraftAsTheCommandDoes) {
   ASSERT_EQ(check().walls.size(), 4U);
   const double lean = glm::degrees(std::atan(0.01));
   EXPECT_NEAR(check().walls[3].least_deg, lean, 1e-6);
-  EXPECT_TRUE(says("below 1°: "));
+  EXPECT_TRUE(says("Below 1°: "));
 
   // The limit is dragged to where that wall has enough, and no other.
   const ScreenBox box = window.app().controls().at("draft chart");
@@ -89,7 +89,7 @@ TEST_F(Draft, IsAskedForByItsColours) {
   EXPECT_TRUE(window.app().controls().contains("panel Draft"));
   key({.key = 'D'});
   settle();
-  EXPECT_FALSE(says("below 1°: "));
+  EXPECT_FALSE(says("Below 1°: "));
   EXPECT_FALSE(window.app().controls().contains("wall 1"));
 }
 

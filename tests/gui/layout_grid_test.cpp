@@ -92,10 +92,12 @@ TEST_F(LayoutGrid, StepsAreWholeInBothThemes) {
     for (int step = 0; step < 7; ++step) {
       enter(static_cast<Step>(step));
       window.wait_until_measured();
-      for (const glm::ivec2& size : {glm::ivec2(1100, 700), glm::ivec2(1440, 900)}) {
-        lay_out(size, 1.0F);
+      for (const auto& [size, scale] : {std::pair(glm::ivec2(1100, 700), 1.0F),
+                                        {glm::ivec2(1440, 900), 1.0F},
+                                        {glm::ivec2(2560, 1440), 2.0F}}) {
+        lay_out(size, scale);
         order.check(window.app().texts(),
-                    fmt::format("step {}, {}x{}, theme {}", step + 1, size.x, size.y, theme));
+                    fmt::format("step {}, {}x{} at {}, theme {}", step + 1, size.x, size.y, scale, theme));
       }
     }
     key({.key = 'T'});

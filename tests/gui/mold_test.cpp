@@ -128,6 +128,7 @@ TEST_F(Mold, TellsTheLineAsTheCommandDoes) {
   window.wait_until_measured();
   window.settle();
   ASSERT_TRUE(mold().solids);
+  unfold(Step::parting_line);
   std::string said;  // in some lines
   for (const DrawnText& each : window.app().texts()) said += each.text + " ";
   EXPECT_NE(said.find(mold().line->verdict), std::string::npos) << said;
@@ -427,7 +428,7 @@ TEST_F(Mold, IsRefusedWithWhatStandsInTheWay) {
   ASSERT_FALSE(mold().solids->halves.inserts.empty()) << "the part has an undercut";
   ASSERT_FALSE(halves_lines(state()).empty());
   EXPECT_TRUE(halves_lines(state()).back().doubt);
-  EXPECT_NE(halves_lines(state()).back().text.find(" 1 place "), std::string::npos)
+  EXPECT_NE(halves_lines(state()).back().text.find(" in 1 place."), std::string::npos)
       << halves_lines(state()).back().text;
   click("mold options");
   click("Fill undercuts");

@@ -72,7 +72,7 @@ TEST_F(WindowWithPart, OpeningTheMoldMovesTheHalves) {
   window.wait_until_measured();
   window.settle();
   const std::vector<std::uint8_t> closed = window.pixels();
-  slide("Open the mold", 0.8F);
+  slide("Opened", 0.8F);
   window.settle();
   EXPECT_GT(state().settings.look.open_mold, 0.7);
   EXPECT_NE(window.pixels(), closed);

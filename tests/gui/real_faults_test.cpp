@@ -166,6 +166,14 @@ TEST_F(RealFaults, TheRequiredDraftIsNoToleranceOfTheRegions) {
   EXPECT_EQ(saved["settings"]["tau_deg"], MethodSettings().tau_deg) << saved;
 }
 
+TEST_F(RealFaults, ThePartOpensInTheColoursOfItsRegionsThoughItWasLeftInThoseOfItsDraft) {
+  static_cast<void>(begin({1100, 800}));
+  press("5");
+  static_cast<void>(picture_at_rest());
+  const auto saved = notes_at_the_end();
+  EXPECT_NE(saved["look"]["colouring"], "draft") << saved;
+}
+
 TEST_F(RealFaults, AClickOnATinyUndercutGoesThere) {
   // A groove of 0.02 mm around half a block: shallower than any release.
   moldlight::test::SolidBuilder solid;

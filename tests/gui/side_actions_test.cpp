@@ -155,9 +155,9 @@ TEST_F(SideActions, MoveWhileTheyAreLookedAt) {
 TEST_F(SideActions, MoveInTheirOrderWhileTheMoldOpens) {
   open_hook_and_groove();
   key({.key = '6'});
-  const glm::vec2 slider = window.control("Open the mold").centre();
+  const glm::vec2 slider = window.control("Opened").centre();
   const auto open_to = [&](float share) {
-    const ScreenBox box = window.control("Open the mold");
+    const ScreenBox box = window.control("Opened");
     drag(slider, {glm::mix(box.min.x, box.max.x, share), slider.y});
     return body_places(state(), state().settings.look.open_mold, 0.0);
   };

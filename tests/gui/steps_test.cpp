@@ -12,7 +12,7 @@ namespace {
 
 /// Controls that only one step has, in the strip's order.
 constexpr std::array<const char*, 7> k_of_steps = {
-    "Unit=mm", "ball", "action options", "Move faces", "draft chart", "Open the mold", "Write the report"};
+    "Unit=mm", "ball", "action options", "Move faces", "draft chart", "play the shot", "Write the report"};
 
 class Steps : public WindowSceneries {
  protected:

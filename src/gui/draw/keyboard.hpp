@@ -15,6 +15,9 @@ struct Ui;
 struct ScreenBox {
   glm::vec2 min{0.0F}, max{0.0F};
   [[nodiscard]] glm::vec2 centre() const { return 0.5F * (min + max); }
+  [[nodiscard]] bool contains(const glm::vec2& at) const {
+    return at.x >= min.x && at.x < max.x && at.y >= min.y && at.y < max.y;
+  }
 };
 
 /// What a key asks of controls and lists.

@@ -58,7 +58,7 @@ bool begin_tooltip(const Ui& ui) {
     return false;
   }
   // Beside a panel, where it covers nothing of what it explains.
-  constexpr float k_widest_panel = 300.0F, k_gap = 14.0F,
+  constexpr float k_widest_panel = 300.0F, k_gap = 14.0F, k_lowest_bar = 60.0F,
                   k_low = 0.6F;  // layout units; of the screen's height
   const ScreenBox panel = window_box(), row = item_box();
   if (panel.max.x - panel.min.x <= ui.px(k_widest_panel)) {
@@ -66,6 +66,9 @@ bool begin_tooltip(const Ui& ui) {
     place_window(
         {left ? panel.max.x + ui.px(k_gap) : panel.min.x - ui.px(k_gap), low ? row.max.y : row.min.y},
         {left ? 0.0F : 1.0F, low ? 1.0F : 0.0F});
+  } else if (panel.max.y < ui.px(k_lowest_bar)) {  // below the bar along the top
+    const bool left = row.max.x < 0.7F * screen_size().x;
+    place_window({left ? row.min.x : row.max.x, panel.max.y + ui.px(4)}, {left ? 0.0F : 1.0F, 0.0F});
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
   ImGui::BeginTooltip();

@@ -190,14 +190,17 @@ void PanelLayout::draw_title(const Ui& ui, Panel& each) const {
   draw_text(list, ui.strong(), {each.box.min.x + ui.px(12), middle - 0.5F * ui.fonts.strong.size},
             each.title);
   const glm::vec2 chevron(each.box.max.x - ui.px(18), middle), reach(ui.px(12));
-  const bool hovered =
-      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(chevron - reach, chevron + reach, false);
-  draw_icon(list, each.collapsed ? Icon::chevron_up : Icon::chevron_down, chevron, ui.px(9),
+  // A click anywhere on it; a drag moves the panel.
+  const ScreenBox title{each.box.min, {each.box.max.x, each.box.min.y + ui.px(k_title_height)}};
+  const bool hovered = ImGui::IsWindowHovered() && title.contains(mouse_at());
+  draw_icon(list, each.collapsed ? Icon::chevron_right : Icon::chevron_down, chevron, ui.px(9),
             hovered ? ui.colours->text : ui.colours->muted);
   const bool focused = has_keyboard(ui, "title", {chevron - reach, chevron + reach});
   list.PopClipRect();
-  each.toggle =
-      (hovered && ImGui::IsMouseClicked(0)) || (focused && ui.memory->keyboard.takes(ControlKey::press));
+  const bool clicked = hovered && ImGui::IsMouseReleased(0) &&
+                       title.contains(ImGui::GetIO().MouseClickedPos[0]) &&
+                       glm::length(glm::vec2(ImGui::GetMouseDragDelta(0, 0.0F))) < ui.px(4);
+  each.toggle = clicked || (focused && ui.memory->keyboard.takes(ControlKey::press));
 }
 
 void PanelLayout::end() {

@@ -48,11 +48,21 @@ std::vector<std::string> lines_within(const SizedFont& font, std::string_view te
 
 void hint(const Ui& ui, std::string_view text) {
   const FontScope small(ui.fonts.small);
+  ImGui::Indent(ui.px(8));
   // A window that fits its contents has no width in its first frame: wrapped at that, it would grow tall.
   const bool wraps = room_left() > ui.px(k_least_wrap);
   if (wraps) ImGui::PushTextWrapPos(0.0F);
   draw_item_text(ui.colours->muted, text);
   if (wraps) ImGui::PopTextWrapPos();
+  ImGui::Unindent(ui.px(8));
+}
+
+void warning(const Ui& ui, std::string_view text) {
+  draw_icon(window_list(), Icon::alert, cursor_at() + glm::vec2(ui.px(14), ui.px(8)), ui.px(12),
+            ui.colours->warning);
+  ImGui::Indent(ui.px(18));
+  hint(ui, text);
+  ImGui::Unindent(ui.px(18));
 }
 
 glm::vec2 beyond_tip(const Ui& ui, const glm::vec2& tail, const glm::vec2& tip, std::string_view text) {

@@ -295,8 +295,8 @@ bool choice(const Ui& ui, const RowLabel& label, std::span<const std::string_vie
   const auto width_of = [&](std::string_view word) { return text_size(ui.fonts.body, word).x + ui.px(12); };
   float total = 0.0F;
   for (const std::string_view word : words) total += width_of(word);
-  // Words that have no room beside the name stand below it, in as many lines as they need.
-  const bool below = text_size(ui.fonts.body, label.text).x + ui.px(label.modified ? 17 : 8) + total > width;
+  // Words that have no room beside the name and its dot stand below it, in as many lines as they need.
+  const bool below = text_size(ui.fonts.body, label.text).x + ui.px(17) + total > width;
   glm::vec2 at = below ? start + glm::vec2(ui.px(2), height) : glm::vec2(start.x + width - total, start.y);
   ImDrawList& list = window_list();
   draw_label(ui, {.box = {start, start + glm::vec2(width, height)}}, label);

@@ -111,6 +111,8 @@ void copy_menu(const Ui& ui, const char* id, const std::string& text, bool asked
                                                     std::size_t most);
 /// Text in the small font and the muted colour, wrapped to the panel's width.
 void hint(const Ui& ui, std::string_view text);
+/// The same behind a sign of warning.
+void warning(const Ui& ui, std::string_view text);
 /// A text with its upper left corner at `at`, on a tag of its own: it reads on whatever lies below.
 struct TaggedText {
   Lettering lettering;

@@ -21,19 +21,11 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_action_row = 60.0F;    // layout units
+constexpr float k_action_row = 74.0F;    // layout units
 constexpr float k_actions_share = 0.5F;  // of the window's height, that the table takes at most
 constexpr float k_pin_width = 88.0F;
 
-constexpr std::array<ListColumn, 3> k_action_columns = {{
-    {"#", "", 8.0F, false},
-    {"area", "Undercut area, in the part's unit squared.", 88.0F, true},
-    {"action", "Action that releases it.", 110.0F, false},
-}};
-
-bool is_unreleased(const ActionPlan& plan, std::size_t undercut) {
-  return std::ranges::find(plan.unreleased, undercut) != plan.unreleased.end();
-}
+constexpr ListColumn k_number{"#", "", 8.0F, false}, k_kind{"action", "", 42.0F, false};
 
 /// The pin that the settings have for it, which a plan may not have seen yet.
 const ActionPin* pin_for(const ActionSettings& settings, const UndercutReport& found) {
@@ -110,23 +102,9 @@ void draw_own_directions(const PanelContext& context) {
 
 std::string tip_text(const AppState& state, std::size_t undercut) {
   const ActionPlan& plan = *state.actions.plan;
-  const UndercutReport& found = plan.undercuts[undercut];
-  const std::string unit = length_unit(state.model->part);
-  const FigureStyle style(*state.model);
-  std::string tip = style.with_unit(FigureKind::area, found.undercut.area);
-  if (const SideAction* action = action_of(plan, undercut)) {
-    tip += fmt::format(
-        " · {} along {}\ntravel {:.2f} {} · {}{}", facts(action->kind).singular,
-        with_minus(direction_words(action->direction)), action->travel, unit, detail_text(*action, unit),
-        shared_text(*action, undercut) + others_text(plan, undercut, *action) + meets_text(plan, *action));
-    for (const FoundFigure& figure : found_figures(body_figures(), *action)) {
-      if (figure.value)
-        tip += fmt::format("{}{} {}", figure.key == body_figures().front().key ? "\n" : " · ", figure.title,
-                           style.with_unit(figure.kind, *figure.value));
-    }
-    if (action->body) tip += " · " + clear_text(*action, plan, unit);
-  }
-  if (is_unreleased(plan, undercut)) tip += "\n" + unreleased_text(plan, undercut);
+  std::string tip = undercut_details(*state.model, plan, undercut);
+  if (std::ranges::find(plan.unreleased, undercut) != plan.unreleased.end())
+    tip += (tip.empty() ? "" : "\n") + unreleased_text(plan, undercut);
   if (const auto& changes = state.actions.changes; changes && state.figures.shown) {
     const std::string change =
         change_text({*state.model, *state.figures.shown, state.settings.actions, plan, *changes}, undercut);
@@ -135,36 +113,43 @@ std::string tip_text(const AppState& state, std::size_t undercut) {
   return tip + "\nClick to look at it and see its action move.";
 }
 
+/// Items between dots, as many in a line as there is room for.
+std::vector<std::string> lines_of_items(const SizedFont& font, std::string_view text, float width) {
+  constexpr std::string_view k_dot = " · ";
+  std::vector<std::string> lines;
+  for (std::size_t end = 0; end != std::string_view::npos;) {
+    end = text.find(k_dot);
+    const std::string item(text.substr(0, end));
+    const std::string longer = lines.empty() ? item : lines.back() + std::string(k_dot) + item;
+    if (lines.empty() || text_size(font, longer).x > width)
+      lines.push_back(item);
+    else
+      lines.back() = longer;
+    if (end != std::string_view::npos) text.remove_prefix(end + k_dot.size());
+  }
+  return lines;
+}
+
 void draw_undercut(const PanelContext& context, std::size_t undercut, const ScreenBox& row) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const ActionPlan& plan = *state.actions.plan;
-  const UndercutReport& found = plan.undercuts[undercut];
   const SideAction* const action = action_of(plan, undercut);
-  const std::string unit = length_unit(state.model->part);
-  const bool left_over = is_unreleased(plan, undercut);
   const ImU32 normal = faded(ui.colours->text, state.actions.awaited ? 0.75F : 1.0F);
   const ScreenBox upper{row.min, {row.max.x, row.min.y + ui.px(24)}};
-  const FigureStyle style(*state.model);
-  draw_cell(ui, upper, k_action_columns[0], {ui.fonts.strong, normal}, std::to_string(undercut + 1));
-  draw_cell(ui, upper, k_action_columns[1], {ui.fonts.body, normal},
-            grouped(style.text(FigureKind::area, found.undercut.area)));
-  const auto length = [&](double value) { return style.with_unit(FigureKind::length, value); };
-  const float at = row.min.x + ui.px(k_action_columns[2].at), room = row.max.x - ui.px(k_pin_width + 6) - at;
-  const std::string deep = found.depth ? "depth " + length(*found.depth) : std::string();
+  draw_cell(ui, upper, k_number, {ui.fonts.strong, normal}, std::to_string(undercut + 1));
+  const float at = row.min.x + ui.px(k_kind.at), room = row.max.x - ui.px(k_pin_width + 6) - at;
+  const float width = row.max.x - row.min.x - ui.px(28);
   std::vector<std::string> lines;  // below
   if (action != nullptr) {
-    draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, normal}, facts(action->kind).singular, room);
+    draw_cell(ui, upper, k_kind, {ui.fonts.body, normal}, facts(action->kind).singular, room);
     const Colour body = action_colour(static_cast<std::size_t>(action - plan.actions.data()));
     window_list().AddCircleFilled(ImVec2(at - ui.px(10), upper.centre().y), 4.0F * ui.scale, packed(body));
-    lines = {
-        fmt::format("{}{}travel {}", deep, deep.empty() ? "" : " · ", length(action->travel)),
-        detail_text(*action, unit) + shared_text(*action, undercut) + others_text(plan, undercut, *action)};
-    if (left_over) lines.front() += " · partly released";
+    lines = lines_of_items(ui.fonts.small, undercut_items(*state.model, plan, undercut), width);
   } else {
-    draw_cell(ui, upper, k_action_columns[2], {ui.fonts.body, ui.colours->warning}, "none", room);
-    lines =
-        lines_within(ui.fonts.small, unreleased_text(plan, undercut), row.max.x - row.min.x - ui.px(30), 2);
+    draw_cell(ui, upper, k_kind, {ui.fonts.body, ui.colours->warning}, "not released", room);
+    lines = lines_within(ui.fonts.small, unreleased_text(plan, undercut), width, 2);
+    lines.insert(lines.begin(), undercut_items(*state.model, plan, undercut));
   }
   for (std::size_t k = 0; k < lines.size(); ++k)
     draw_second_line(

@@ -17,7 +17,7 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr float k_card_height = 98.0F, k_line_height = 15.0F;  // layout units
+constexpr float k_card_height = 84.0F, k_line_height = 15.0F, k_title_extra = 4.0F;  // layout units
 constexpr float k_picture_width = 78.0F, k_picture_height = 52.0F;
 constexpr std::size_t k_most_lines = 4;
 
@@ -40,41 +40,52 @@ std::string card_help(const DirectionCard& card) {
   return text;
 }
 
+/// As many of what it wins, or costs, as two lines have room for, the first in any case.
+std::vector<std::string> trade_lines(const Ui& ui, std::string_view sign, std::span<const std::string> all,
+                                     float room) {
+  for (std::size_t count = all.size(); count > 0; --count) {
+    auto lines = lines_within(
+        ui.fonts.small,
+        fmt::format("{} {}{}", sign, fmt::join(all.first(count), ", "), count < all.size() ? ", …" : ""),
+        room, k_most_lines);
+    if (lines.size() <= 2 || count == 1) return lines;
+  }
+  return {};
+}
+
 void draw_card(const PanelContext& context, std::size_t place, float width, unsigned picture) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const DirectionCard& card = state.sweep.cards[place];
-  const Pressable item =
-      pressable(ui, fmt::format("card {}", place + 1).c_str(), {width, ui.px(k_card_height)});
-  const glm::vec2 min = item.box.min, max = item.box.max, inset(ui.px(6));
+  const glm::vec2 inset(ui.px(6)), picture_size(ui.px(k_picture_width), ui.px(k_picture_height));
+  const float beside = picture_size.x + ui.px(10), room = width - 2.0F * inset.x - beside;
+  const float alpha = state.figures.pale ? 0.4F : 1.0F;
+  std::vector<std::pair<Lettering, std::string>> lines;
+  const auto write = [&](const Lettering& lettering, const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) lines.emplace_back(lettering, text);
+  };
+  const auto small = [&](ImU32 colour) { return Lettering{ui.fonts.small, faded(colour, alpha)}; };
+  write(ui.strong(), lines_within(ui.fonts.strong, with_minus(card.name), room, 2));
+  const std::size_t titles = lines.size();
+  write({ui.fonts.small, ui.colours->text}, lines_within(ui.fonts.small, card.verdict, room, k_most_lines));
+  write(small(ui.colours->muted), trade_lines(ui, "+", card.trade.wins, room));
+  write(small(ui.colours->warning), trade_lines(ui, "−", card.trade.costs, room));
+  const float height = 2.0F * inset.y + ui.px(k_line_height) * static_cast<float>(lines.size()) +
+                       ui.px(k_title_extra) * static_cast<float>(titles);
+  const Pressable item = pressable(ui, fmt::format("card {}", place + 1).c_str(),
+                                   {width, std::max(ui.px(k_card_height), height)});
+  const glm::vec2 min = item.box.min, max = item.box.max, corner = min + inset;
   ImDrawList& list = window_list();
   fill(list, {min, max}, item.hovered ? ui.colours->field_hovered : ui.colours->field, ui.px(6));
   if (card.here) list.AddRect(min, max, ui.colours->accent, ui.px(6), 0, 1.5F * ui.scale);
-  const glm::vec2 corner = min + inset, picture_size(ui.px(k_picture_width), ui.px(k_picture_height));
   draw_picture(list, picture, {corner, corner + picture_size}, ui.px(4));
   draw_text(list, ui.note(), corner + glm::vec2(ui.px(2), picture_size.y + ui.px(4)),
             role(state.sweep, place));
-  const float left = corner.x + picture_size.x + ui.px(10), room = max.x - inset.x - left;
-  float top = corner.y;
-  draw_text(list, ui.strong(), {left, top}, fitted(ui.fonts.strong, with_minus(card.name), room));
-  top += ui.px(k_line_height + 4);
-  std::size_t lines_left = k_most_lines;
-  const auto write = [&](ImU32 colour, const std::string& text, std::size_t most) {
-    for (const std::string& line : lines_within(ui.fonts.small, text, room, std::min(most, lines_left))) {
-      draw_text(list, {ui.fonts.small, colour}, {left, top}, line);
-      top += ui.px(k_line_height);
-      --lines_left;
-    }
-  };
-  const float alpha = state.figures.pale ? 0.4F : 1.0F;
-  const MoldTrade& trade = card.trade;
-  write(ui.colours->text, card.verdict, trade.wins.empty() && trade.costs.empty() ? k_most_lines : 2);
-  // What it costs stands there in any case.
-  if (!trade.wins.empty())
-    write(faded(ui.colours->muted, alpha), fmt::format("+ {}", fmt::join(trade.wins, ", ")),
-          trade.costs.empty() ? 3 : 2);
-  if (!trade.costs.empty())
-    write(faded(ui.colours->warning, alpha), fmt::format("− {}", fmt::join(trade.costs, ", ")), 2);
+  glm::vec2 at(corner.x + beside, corner.y);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    draw_text(list, lines[k].first, at, lines[k].second);
+    at.y += ui.px(k < titles ? k_line_height + k_title_extra : k_line_height);
+  }
   tooltip(ui, card.name, card_help(card));
   if (item.clicked || item.pressed) context.edits.ask(&Commands::fly_to_direction, card.direction);
 }

@@ -8,12 +8,14 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/view/direction.hpp"
 #include "mold/direction.hpp"
 #include "mold/direction_field.hpp"
+#include "sweep/sweep_texts.hpp"
 
 namespace moldlight::gui {
 
@@ -34,33 +36,12 @@ ImU32 map_colour(const SweepMap* map, const glm::dvec3& direction, float lit, co
   return mixed(base, shaded, static_cast<float>(reading.cover));
 }
 
-std::string area_text(const AppState& state, double area) {
-  return fmt::format("{} {}", grouped(FigureColumn(state.model->geometry.total_area).text(area)),
-                     powered_unit(state.model->part, 2));
-}
-
 /// Of the proof of the best, or of all free directions where that one has none.
 const SweepProof* shown_proof(const SweepState& sweep) {
   if (!sweep.result) return nullptr;
   const SweepResult& result = *sweep.result;
   if (result.proof && result.proof->bound > 0.0) return &*result.proof;
   return result.all_free ? &*result.all_free : nullptr;
-}
-
-std::string proof_text(const AppState& state, const SweepProof& proof, const glm::dvec3& direction) {
-  const auto bound = proof.bound_at(direction);
-  if (!bound) return "open: not proved";
-  return fmt::format(
-      "proved: at least {}{}", area_text(state, *bound),
-      proof.grade == ProofGrade::samples ? fmt::format(" ± {}", area_text(state, proof.bound_error)) : "");
-}
-
-/// What the rings of the large ball leave proved.
-std::string proved_text(const AppState& state, const SweepProof& proof) {
-  if (proof.open.empty())
-    return fmt::format("Proved: at least {} everywhere.", area_text(state, proof.bound));
-  return fmt::format("Proved outside of the rings: at least {}. Open: {:.2g} % of the directions.",
-                     area_text(state, proof.bound), 100.0 * (1.0 - proof.proved_share));
 }
 
 void draw_open_caps(const Ui& ui, const Ball& ball, const SweepProof& proof) {
@@ -161,14 +142,14 @@ void describe_direction(const PanelContext& context, const glm::dvec3& direction
   if (const EvaluatedDirection* found = map.nearest(direction, k_read_deg)) {
     title =
         direction_words(glm::dot(found->direction, direction) < 0.0 ? -found->direction : found->direction);
-    text =
-        fmt::format("undercut {} ± {}", area_text(state, found->undercut), error_text(found->undercut_error));
+    text = fmt::format("undercut {} ± {}", area_with_unit(*state.model, found->undercut),
+                       error_text(found->undercut_error));
     source = fmt::format("{}  ·  {}", share_text(found->undercut, total), candidate_kind_name(found->kind));
   } else {
     const DirectionField::Reading reading = map.field.at(direction);
     title = direction_words(direction);
     if (reading.cover > 0.2) {
-      text = fmt::format("undercut about {}", area_text(state, reading.value));
+      text = fmt::format("undercut about {}", area_with_unit(*state.model, reading.value));
       source = fmt::format("{}  ·  between scored directions", share_text(reading.value, total));
     } else {
       text = "not looked at yet";
@@ -179,7 +160,8 @@ void describe_direction(const PanelContext& context, const glm::dvec3& direction
   heading(ui, title);
   draw_item_text(ui.colours->text, text);
   if (!source.empty()) hint(ui, source);
-  if (const SweepProof* proof = shown_proof(state.sweep)) hint(ui, proof_text(state, *proof, direction));
+  if (const SweepProof* proof = shown_proof(state.sweep))
+    hint(ui, proof_text(*state.model, *proof, direction));
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
 }
@@ -200,7 +182,7 @@ float draw_colour_bar(const PanelContext& context, const glm::vec2& at, float wi
   const float top = at.y + height + gap;
   const Lettering lettering = ui.note();
   draw_text(list, lettering, {at.x, top}, "0");
-  draw_text_to(lettering, at.x + width, top, area_text(context.state, map.worst));
+  draw_text_to(lettering, at.x + width, top, area_with_unit(*context.state.model, map.worst));
   return height + gap + ui.fonts.small.size;
 }
 
@@ -229,7 +211,7 @@ void draw_large_ball(const PanelContext& context, BallDrag& drag) {
   const float height = draw_colour_bar(context, at + glm::vec2(0.0F, ui.px(4)), size);
   ImGui::Dummy(ImVec2(size, height + ui.px(6)));
   if (const SweepProof* proof = shown_proof(context.state.sweep))
-    hint(ui, proved_text(context.state, *proof));
+    hint(ui, proved_text(*context.state.model, *proof));
   ImGui::End();
 }
 

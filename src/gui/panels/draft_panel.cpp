@@ -97,7 +97,7 @@ void draw_finish_row(const PanelContext& context, const FinishDraft& one, std::s
     draw_cell(ui, upper, k_finish_columns[k], {k == 0 ? ui.fonts.strong : ui.fonts.body, ui.colours->text},
               texts[k], k == 0 ? ui.px(120) : 0.0F);
   const std::string unit = powered_unit(context.state.model->part, 2);
-  const std::string area = rounded(one.area) + " " + unit;
+  const std::string area = grouped(rounded(one.area)) + " " + unit;
   draw_second_line(ui, row.box, k_finish_columns[0].at,
                    one.below > 0.0 ? fmt::format("{} of {} have less", rounded(one.below), area) : area,
                    k_beside_finish);
@@ -118,15 +118,10 @@ void draw_finish_row(const PanelContext& context, const FinishDraft& one, std::s
 void draw_bars(const PanelContext& context, const DraftChart& chart, const DraftCheck& check) {
   const Ui& ui = context.ui;
   ImDrawList& list = window_list();
-  const auto is_shown = [](const DraftBin& bin) {
-    return bin.from_deg >= DraftChart::k_from_deg && bin.to_deg <= DraftChart::k_to_deg;
-  };
-  double tallest = 0.0;
-  for (const DraftBin& bin : check.histogram)
-    if (is_shown(bin)) tallest = std::max(tallest, bin.area[0] + bin.area[1]);
+  const double tallest = tallest_bin(check, DraftChart::k_from_deg, DraftChart::k_to_deg);
   const float gap = 0.5F * ui.scale, height = chart.box.max.y - chart.box.min.y;
   for (const DraftBin& bin : check.histogram) {
-    if (!is_shown(bin) || tallest <= 0.0) continue;
+    if (!bin.within(DraftChart::k_from_deg, DraftChart::k_to_deg) || tallest <= 0.0) continue;
     const float left = chart.place_of(bin.from_deg) + gap, right = chart.place_of(bin.to_deg) - gap;
     float foot = chart.box.max.y;
     for (const Region region : {Region::core, Region::cavity}) {
@@ -231,13 +226,13 @@ void DraftPanel::draw(const PanelContext& context) {
 
 BarNews DraftPanel::news(const AppState& state) const {
   const MoldState& mold = state.mold;
-  BarNews news{.text = "no draft is required"};
+  BarNews news{.text = "No draft is required."};
   if (mold.line_awaited) {
     news = {.text = "finding the parting line …", .progress = -1.0};
   } else if (!mold.error.empty()) {
     news = {.text = mold.error, .warning = true};
   }
-  if (check() != nullptr) news.text = draft_sentence(*state.model, *check());
+  if (check() != nullptr) news.text = sentence_of(draft_sentence(*state.model, *check()));
   news.tip = news.text;
   return news;
 }
@@ -283,8 +278,8 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
   }
   draw_second_line(
       ui, row.box, 24.0F,
-      fmt::format("{} {} · {} {} high · turn {:.3g}°", rounded(wall.area), powered_unit(state.model->part, 2),
-                  rounded(wall.height), unit, wall.turn_deg));
+      fmt::format("{} {} · {} {} high · turn {:.3g}°", grouped(rounded(wall.area)),
+                  powered_unit(state.model->part, 2), rounded(wall.height), unit, wall.turn_deg));
   tooltip(ui, fmt::format("Face {} of the {}", wall.face, side_name(wall.side)),
           fmt::format("{}{}\nClick to look at it.", suggestion(*state.model, wall),
                       wall.foot_line ? "" : "\nThe foot of the wall is bent: another shape may need less."));

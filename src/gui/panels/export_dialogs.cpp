@@ -19,17 +19,6 @@ namespace moldlight::gui {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// Why the halves are not written; empty where they are.
-std::string refusal_of(const AppState& state) {
-  if (std::string refusal = halves_refusal(state); !refusal.empty()) return refusal;
-  const std::string unfilled = unfilled_text(*state.model, state.settings.mold, state.mold.solids->halves);
-  return unfilled.empty() ? unfilled : "No halves: " + unfilled + "; Fill undercuts leaves them to inserts.";
-}
-
-}  // namespace
-
 std::string beside_part(const AppState& state, const char* ending) {
   const fs::path part(state.path);
   return (part.parent_path() / (part.stem().string() + ending)).string();
@@ -102,15 +91,18 @@ void MoldExportDialog::draw(const PanelContext& context) {
   bool solids = false;
   const auto rows = [&]() -> PathDialog::Ready {
     const bool ready = is_settled(state.mold);
-    const std::string refusal = ready ? refusal_of(state) : std::string();
+    bool& fill = context.edits.settings.mold.fill_undercut;
+    const bool unfilled = ready && !state.mold.solids->halves.inserts.empty() && !fill;
+    std::string refusal = ready ? halves_refusal(state) : std::string();
+    if (refusal.empty() && unfilled)
+      refusal = "Neither half forms the undercuts. Fill them to export the halves.";
     ImGui::BeginDisabled(!refusal.empty());
     toggle(ui, {"Halves and inserts (STL each)"}, solids_);
     toggle(ui, {"All of them in one 3MF"}, together_.as_3mf);
     toggle(ui, {"All of them in one STEP"}, together_.as_step);
     ImGui::EndDisabled();
     if (!refusal.empty()) hint(ui, refusal);
-    bool& fill = context.edits.settings.mold.fill_undercut;
-    if (!refusal.empty() && state.mold.solids->halves.made()) toggle(ui, {"Fill undercuts"}, fill);
+    if (unfilled) toggle(ui, {"Fill undercuts"}, fill);
     hint(ui, "Parting line:");
     std::vector<std::string_view> extensions;
     for (const auto& format : line_formats()) extensions.push_back(format.extension);
@@ -197,29 +189,28 @@ void draw_film_dialog(const PanelContext& context, PathDialog& dialog) {
 
 void ReportPanel::draw(const PanelContext& context) {
   const Ui& ui = context.ui;
-  const AppState& state = context.state;
   const float width = ImGui::GetContentRegionAvail().x;
-  hint(ui, verdict_card(state).sentence);
-  ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
-  if (button(ui, "Picture with legend (F12)", {.width = width})) context.edits.ask(&Commands::take_picture);
+  draw_report(context, width);
+  ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
+  heading(ui, "Files");
+  if (button(ui, "Picture with legend… (F12)", {.width = width})) context.edits.ask(&Commands::take_picture);
   name_item(ui, "picture");
   if (button(ui, "Regions and figures… (Ctrl+E)", {.width = width})) context.edits.dialogs.exporting = true;
   name_item(ui, "export");
   if (button(ui, "Mold and parting line…", {.width = width})) context.edits.dialogs.exporting_mold = true;
+  ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
+  heading(ui, "Presentation");
   const float half = std::floor(0.5F * (width - ui.px(4)));
   if (button(ui, "Present (F5)", {.width = half})) context.edits.ask(&Commands::present);
   name_item(ui, "present");
   ImGui::SameLine(0.0F, ui.px(4));
   if (button(ui, "Film…", {.width = half})) context.edits.dialogs.film = 0;
   name_item(ui, "film");
-  ImGui::Dummy(ImVec2(1.0F, ui.px(4)));
-  heading(ui, "Report");
-  if (state.exporting) {
-    hint(ui, state.exporting->stage);
-    progress_bar(ui, state.exporting->fraction, width);
-    if (button(ui, "Cancel", {.width = width})) context.edits.ask(&Commands::cancel_export);
-    return;
-  }
+}
+
+void ReportPanel::draw_report(const PanelContext& context, float width) {
+  const Ui& ui = context.ui;
+  const AppState& state = context.state;
   std::vector<std::string_view> subjects;
   for (const report::PartReport& each : report::part_reports()) subjects.push_back(each.subject);
   choice(ui, {"Report of"}, subjects, order_.of);
@@ -236,16 +227,22 @@ void ReportPanel::draw(const PanelContext& context) {
   if (views > 0 && chip(ui, fmt::format("{}  ×", plural(views, "view")), true, false))
     context.edits.ask(&Commands::forget_views);
   if (views > 0) name_item(ui, "views");
-  hint(ui, "Files are named after this path:");
-  const std::string beside = beside_part(state, "-report");
+  hint(ui, "Beside the part, or a path:");
+  const std::string beside = fs::path(beside_part(state, "-report")).filename().string();
   if (proposed_ != beside) std::snprintf(path_.data(), path_.size(), "%s", beside.c_str());
   proposed_ = beside;
   text_field(ui, "##Report path", path_);
+  if (state.exporting) {
+    hint(ui, state.exporting->stage);
+    progress_bar(ui, state.exporting->fraction, width);
+    if (button(ui, "Cancel", {.width = width})) context.edits.ask(&Commands::cancel_export);
+    return;
+  }
   const bool lacks_sweep = chosen.command == "sweep" && !state.sweep.result;
   if (lacks_sweep) hint(ui, "No directions were searched. Do this in the step Direction.");
   ImGui::BeginDisabled(lacks_sweep || path_[0] == 0 || !(order_.html || order_.pdf) || !state.figures.split);
   if (button(ui, "Write the report", {.width = width, .strong = true})) {
-    order_.path = path_.data();
+    order_.path = (fs::path(state.path).parent_path() / path_.data()).string();
     order_.views = state.views;
     context.edits.ask(&Commands::export_report, order_);
   }

@@ -130,28 +130,20 @@ void draw_loops(const PanelContext& context, RowCursor& cursor) {
   draw_cosmetic(context);
 }
 
-/// What is known of the bodies, with a tick each, or what is wrong with them.
+/// What is known of the bodies: their figures, and what is wrong with them.
 void draw_lines(const PanelContext& context, const std::vector<HalvesLine>& halves, float alpha) {
   const Ui& ui = context.ui;
-  ImDrawList& list = window_list();
   const float width = room_left();
-  const bool doubtful = std::ranges::any_of(halves, &HalvesLine::doubt);  // then nothing has a tick
-  constexpr std::size_t k_most_lines = 6;
   for (const HalvesLine& each : halves) {
-    const std::vector<std::string> lines =
-        lines_within(ui.fonts.small, each.text, width - ui.px(28), k_most_lines);
+    if (each.figure.empty()) {
+      (each.doubt ? warning : hint)(ui, each.text);
+      continue;
+    }
     const glm::vec2 at = cursor_at();
-    ImGui::Dummy(ImVec2(width, ui.px(k_mold_line) * static_cast<float>(lines.size())));
-    tooltip(ui, {}, each.text);
-    if (each.doubt || !doubtful)
-      draw_icon(list, each.doubt ? Icon::alert : Icon::check,
-                at + glm::vec2(ui.px(12), 0.5F * ui.px(k_mold_line)), ui.px(11),
-                faded(each.doubt ? ui.colours->warning : ui.colours->muted, alpha));
-    for (std::size_t k = 0; k < lines.size(); ++k)
-      draw_text(list, {ui.fonts.small, faded(each.doubt ? ui.colours->warning : ui.colours->text, alpha)},
-                {at.x + ui.px(24), at.y + ui.px(k_mold_line) * static_cast<float>(k) +
-                                       0.5F * (ui.px(k_mold_line) - ui.fonts.small.size)},
-                lines[k]);
+    ImGui::Dummy(ImVec2(width, ui.px(k_mold_line)));
+    draw_text({ui.fonts.small, faded(ui.colours->muted, alpha)}, at + glm::vec2(ui.px(8), 0.0F), each.text);
+    draw_text_to({ui.fonts.small, faded(ui.colours->text, alpha)}, at.x + width - ui.px(8), at.y,
+                 each.figure);
   }
 }
 
@@ -205,10 +197,18 @@ SaidHalves said_halves(const AppState& state) {
 
 }  // namespace
 
-std::string halves_refusal(const AppState& state) { return halves_refusal(said_halves(state)); }
+std::string halves_refusal(const AppState& state) {
+  std::string text = halves_refusal(said_halves(state));
+  // Flags mean nothing here.
+  if (const std::size_t flags = text.find("; --"); flags != std::string::npos)
+    text.replace(flags, std::string::npos, ". Repair the mesh first");
+  return sentence_of(text);
+}
 
 std::vector<HalvesLine> halves_lines(const AppState& state) {
-  return state.mold.solids ? halves_lines(said_halves(state)) : std::vector<HalvesLine>();
+  if (!state.mold.solids) return {};
+  if (const std::string refusal = halves_refusal(state); !refusal.empty()) return {{refusal, true}};
+  return halves_lines(said_halves(state));
 }
 
 void draw_line_panel(const PanelContext& context, TableBar& bar) {
@@ -222,6 +222,10 @@ void draw_mold_panel(const PanelContext& context, TableBar& bar) {
   const Ui& ui = context.ui;
   const MoldState& mold = context.state.mold;
   // Above what changes its height while a hand is at the slider.
+  const bool opens = context.state.settings.look.open_mold < 1.0;
+  if (button(ui, opens ? "Open the mold (O)" : "Close the mold (O)", {.width = room_left(), .strong = opens}))
+    apply_shortcut({.key = 'O'}, context.state, context.edits);
+  name_item(ui, "play the shot");
   draw_opening(context);
   const MoldOfPieces* const pieces = shown_pieces(context.state);
   if (pieces == nullptr) option_row(ui, option_named(window_options(), "halves"), context.edits.window);
@@ -230,14 +234,17 @@ void draw_mold_panel(const PanelContext& context, TableBar& bar) {
       .options_hint = "Settings of the mold",
       .news = mold_news(mold, mold.running || mold.line_awaited || mold.solids_awaited,
                         pieces != nullptr ? with_minus(pieces_sentence(*context.state.model, *pieces->result))
-                        : mold.line       ? mold.line->verdict
-                                          : ""),
+                        : is_settled(mold) && mold.solids->halves.made() ? "Both halves are made and checked."
+                                                                         : ""),
       .settings = [&] { draw_mold_settings(context); }};
   parts.table = [&](RowCursor&) {
     draw_pieces(context);
     if (pieces != nullptr) return;
+    ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
     draw_lines(context, halves_lines(context.state), mold.solids_awaited ? 0.6F : 1.0F);
     ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
+    if (mold.solids && !mold.solids->halves.inserts.empty())
+      option_row(ui, option_named(mold_options(), "fill_undercut"), context.edits.settings.mold);
     if (button(ui, "Export the mold…", {.width = room_left()})) context.edits.dialogs.exporting_mold = true;
     name_item(ui, "export mold");
   };

@@ -39,13 +39,7 @@ void draw_part_controls(const PanelContext& context, BodiesPanel& bodies, const 
   hint(ui, fmt::format("{} facets · {} × {} × {} {}", grouped(std::to_string(model.part.mesh.facets.size())),
                        rounded(size.x), rounded(size.y), rounded(size.z), length_unit(model.part)));
   for (const std::string& repair : model.part.repairs) hint(ui, repair);
-  for (const std::string& warning : model.warnings) {
-    const glm::vec2 at = cursor_at();
-    draw_icon(window_list(), Icon::alert, at + glm::vec2(ui.px(6), ui.px(8)), ui.px(12), ui.colours->warning);
-    ImGui::Indent(ui.px(18));
-    hint(ui, warning);
-    ImGui::Unindent(ui.px(18));
-  }
+  for (const std::string& each : model.warnings) warning(ui, each);
   ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
   draw_unit(context);
   if (model.part.unit.empty()) hint(ui, "The file names no unit. Choose one.");

@@ -111,11 +111,12 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   const std::string error = legend.column.text(visible);
   const bool in_doubt = error.find_first_of("123456789") != std::string::npos;
   const bool fine = shadow.agrees() && !(in_doubt && doubt.mesh > 0.0);
-  const std::string_view name = in_doubt ? "Undercut ±" : shadow.agrees() ? "Check passed" : "Check failed";
+  const std::string_view name = in_doubt ? "Undercut ±" : shadow.agrees() ? "Areas checked" : "Check failed";
   const Line line =
       begin_line(ui, line_place(ui, "trust"), name, fine ? ui.colours->muted : ui.colours->warning);
-  draw_icon(window_list(), fine ? Icon::check : Icon::alert, line.min + glm::vec2(ui.px(12), ui.px(12)),
-            ui.px(12), faded(fine ? ui.colours->text : ui.colours->warning, legend.alpha));
+  if (!fine || verdict_card(context.state).good())  // no tick beside red
+    draw_icon(window_list(), fine ? Icon::check : Icon::alert, line.min + glm::vec2(ui.px(12), ui.px(12)),
+              ui.px(12), faded(fine ? ui.colours->text : ui.colours->warning, legend.alpha));
   if (in_doubt)
     draw_text_to({ui.fonts.body, faded(ui.colours->text, legend.alpha)}, line.right - ui.px(60), line.top,
                  grouped(error));
@@ -146,9 +147,7 @@ std::vector<SubjectLine> subject_lines(const AppState& state) {
   const Verdict& verdict = *state.verdict;
   const HealthReport& health = state.model->health;
   const Classification& here = *state.figures.shown;
-  const auto area = [&](double value) {
-    return grouped(rounded_area(value, here.total_area)) + " " + powered_unit(state.model->part, 2);
-  };
+  const auto area = [&](double value) { return area_with_unit(*state.model, value); };
   const auto count = [](std::size_t number) { return grouped(std::to_string(number)); };
   if (state.actions.plan && !state.actions.plan->unreleased.empty())
     lines.push_back({Of::unreleased, "line unreleased", "Not released", area(verdict.unreleased_area)});
@@ -275,9 +274,7 @@ std::string actions_summary(const AppState& state) {
   const ActionPlan& plan = *state.actions.plan;
   std::string text = plan.actions.empty() ? "no side action releases them" : actions_text(plan);
   if (plan.unreleased_area > 0.0 && !plan.actions.empty())
-    text += fmt::format(" · {} {} unreleased",
-                        grouped(rounded_area(plan.unreleased_area, state.model->geometry.total_area)),
-                        powered_unit(state.model->part, 2));
+    text += " · " + area_with_unit(*state.model, plan.unreleased_area) + " unreleased";
   return text;
 }
 
@@ -291,13 +288,8 @@ VerdictCard verdict_card(const AppState& state) {
   if (const auto& maps = state.figures.maps) red += maps->excess(Region::undercut);
   const bool known = state.figures.maps || !maps_shown(state);
   card.red = !known || red > k_seen * here.total_area;
-  if (card.verdict) {
-    card.sentence = card.verdict->sentence;
-  } else {
-    card.sentence =
-        fmt::format("Undercut, {} {}", grouped(rounded_area(here.areas[Region::undercut], here.total_area)),
-                    powered_unit(state.model->part, 2));
-  }
+  card.sentence = card.verdict ? card.verdict->sentence
+                               : "Undercut, " + area_with_unit(*state.model, here.areas[Region::undercut]);
   return card;
 }
 

@@ -24,12 +24,12 @@ constexpr std::array<ListColumn, 6> k_change_columns = {{
      "Undercuts and side actions come first, then surface, the largest area first. Unchanged ones come last.",
      8.0F, false},
     {"change", "", 58.0F, false},
-    {"A", "Area before, in the part's unit squared. For changed surface: the area that is gone.", 296.0F,
+    {"A", "Area before, in the part's unit squared. For changed surface: the area that is gone.", 316.0F,
      true},
-    {"B", "Area now. For changed surface: the new area.", 372.0F, true},
+    {"B", "Area now. For changed surface: the new area.", 412.0F, true},
     {"volume", "Volume that was added or removed, in the part's unit cubed, if both parts are closed.",
-     456.0F, true},
-    {"", "", 476.0F, false},
+     516.0F, true},
+    {"", "", 532.0F, false},
 }};
 
 /// The colours that a change is lit in, that of A and that of B beside each other.
@@ -79,9 +79,12 @@ void draw_change(const PanelContext& context, std::size_t number, const ScreenBo
   draw_cell(ui, row, k_change_columns[0], {ui.fonts.strong, colour}, std::to_string(number + 1));
   if (change.changed()) draw_swatch(context, change, {row.min.x + ui.px(44), row.centre().y});
   draw_cell(ui, row, k_change_columns[1], {ui.fonts.body, colour}, change_title(result, number), ui.px(180));
-  draw_cell(ui, row, k_change_columns[2], {ui.fonts.body, colour}, words.before);
-  draw_cell(ui, row, k_change_columns[3], {ui.fonts.body, colour}, words.now);
-  draw_cell(ui, row, k_change_columns[4], {ui.fonts.body, colour}, words.volume);
+  const std::array<const std::string*, 3> figures = {&words.before, &words.now, &words.volume};
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    const bool is_figure = figures[k]->find_first_of("0123456789") != std::string::npos;
+    const std::string unit = is_figure ? " " + powered_unit(context.state.model->part, k < 2 ? 2 : 3) : "";
+    draw_cell(ui, row, k_change_columns[k + 2], {ui.fonts.body, colour}, *figures[k] + unit);
+  }
   draw_cell(ui, row, k_change_columns[5], {ui.fonts.small, faded(ui.colours->muted, alpha)}, words.more,
             std::max(end - ui.px(k_change_columns[5].at + 8), ui.px(24)));
   tooltip(ui, change_title(result, number), fmt::format("{}\nClick to look at it in both.", words.more));

@@ -34,14 +34,15 @@ std::string face_line(const AppState& state) {
   return line + "  ·  draft " + (least == most ? least : least + " … " + most);
 }
 
-/// Where a hint stands: beside the control, on this side of it.
+/// What is said beside a control, on this side of it: of a hint, or of a step of the tour.
+template <typename Of>
 struct HintPlace {
-  Hint hint;
+  Of of;
   std::string_view control, text;
   glm::vec2 side;  // from the control's middle: its right or left edge
 };
 
-constexpr HintPlace k_places[] = {
+constexpr HintPlace<Hint> k_places[] = {
     {Hint::arrow, "core arrow", "Drag the arrow: regions and figures follow", {1.0F, 0.0F}},
     {Hint::verdict, "verdict", "The regions of the part along this direction", {-1.0F, 0.0F}},
     {Hint::sweep, "panel Direction", "Looking for the best parting direction", {1.0F, 0.0F}},
@@ -49,12 +50,7 @@ constexpr HintPlace k_places[] = {
 
 /// A minute, if nobody presses a key.
 constexpr double k_stop_s = 7.5;
-struct TourStop {
-  Step step;
-  std::string_view control, text;
-  glm::vec2 side;
-};
-constexpr TourStop k_tour[] = {
+constexpr HintPlace<Step> k_tour[] = {
     {Step::direction, "core arrow", "The mold opens along this arrow. Drag its tip.", {1.0F, 0.0F}},
     {Step::direction, "verdict", "The verdict on this direction, in one sentence", {-1.0F, 0.0F}},
     {Step::direction, "panel Direction", "Better directions come here. Click a card.", {1.0F, 0.0F}},
@@ -102,11 +98,11 @@ std::optional<std::size_t> point_at(const PanelContext& context, const ScreenBox
 void draw_tour(const PanelContext& context) {
   const Ui& ui = context.ui;
   auto& tour = context.edits.tour;
-  const TourStop& stop = k_tour[tour->stop];
+  const HintPlace<Step>& stop = k_tour[tour->stop];
   if (tour->since_s == 0.0) {
     tour->since_s = ui.now_s;
-    context.edits.enter(stop.step);
-  } else if (context.state.step != stop.step) {
+    context.edits.enter(stop.of);
+  } else if (context.state.step != stop.of) {
     return tour.reset();  // who goes elsewhere needs no guide
   }
   const auto control = ui.memory->controls.find(stop.control);
@@ -161,6 +157,9 @@ void draw_presented(const PanelContext& context) {
   const Ui& ui = context.ui;
   const Presented& shown = *context.state.presented;
   constexpr double k_keys_s = 4.0;
+  if (shown.fading != 0)
+    scene_list().AddImage(texture_id(shown.fading), ImVec2(0, 0), screen_size(), ImVec2(0, 1), ImVec2(1, 0),
+                          IM_COL32(255, 255, 255, static_cast<int>(255.0 * shown.fade)));
   const auto lines = lines_within(ui.fonts.title, shown.caption, 0.8F * screen_size().x, 2);
   place_window({0.5F * screen_size().x, screen_size().y - ui.px(16)}, {0.5F, 1.0F});
   ImGui::Begin("Caption", nullptr, k_card_window | ImGuiWindowFlags_NoInputs);
@@ -211,19 +210,19 @@ void draw_hints(const PanelContext& context) {
   const bool covered = state.dialogs != state.dialogs.none() || ui.memory->popups.any();
   if (!state.shows_hints || !state.model || state.dialogs.panels_hidden || covered) return;
   if (state.tour && state.figures.shown) return draw_tour(context);
-  const auto place = std::ranges::find_if(
-      k_places, [&](const HintPlace& each) { return !state.hints_done.contains(each.hint); });
+  const auto place =
+      std::ranges::find_if(k_places, [&](const auto& each) { return !state.hints_done.contains(each.of); });
   if (place == std::end(k_places) || state.tour) return;
   const auto control = ui.memory->controls.find(place->control);
   if (control == ui.memory->controls.end() || state.step != Step::direction) return;
   const glm::vec2 at = control->second.centre();
   const FreeArea free = context.free_area();
-  if (place->hint == Hint::arrow &&
+  if (place->of == Hint::arrow &&
       (at.x < static_cast<float>(free.min.x) || at.x > static_cast<float>(free.max.x)))
     return;  // behind a panel
   if (point_at(context, control->second, place->side, place->text,
                std::array<std::pair<const char*, Icon>, 1>{{{"dismiss the hint", Icon::close}}}))
-    context.edits.hints_done.insert(place->hint);
+    context.edits.hints_done.insert(place->of);
 }
 
 }  // namespace moldlight::gui

@@ -96,8 +96,10 @@ class ReportPanel {
   void draw(const PanelContext& context);
 
  private:
+  void draw_report(const PanelContext& context, float width);
+
   report::ReportOrder order_;
-  std::string proposed_;  // path, beside the part
+  std::string proposed_;  // name, beside the part
   std::array<char, 1024> path_{};
 };
 

@@ -45,7 +45,9 @@ StepBadge line_badge(const AppState& state) {
   const MoldState& mold = state.mold;
   if (!mold.error.empty()) return {Kind::warning, {}, mold.error};
   if (!mold.line || mold.line_awaited) return {};
-  return {mold.line->line.loops.empty() ? Kind::none : Kind::tick, {}, mold.line->verdict};
+  const std::vector<PartingLoop>& loops = mold.line->line.loops;
+  const bool outer = !loops.empty() && loops.front().kind == LoopKind::outer;
+  return {outer ? Kind::tick : Kind::warning, {}, mold.line->verdict};
 }
 
 StepBadge draft_badge(const AppState& state) {

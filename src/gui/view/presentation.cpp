@@ -11,8 +11,8 @@ namespace moldlight::gui {
 
 namespace {
 
-constexpr double k_flight_s = 1.2;      // of the camera, at an act's beginning
-constexpr double k_opening_rest = 0.6;  // seconds before the mold moves in an act, and after it
+constexpr double k_flight_s = 1.2;      // of the camera, at an act's beginning, before the mold moves
+constexpr double k_opening_rest = 0.6;  // seconds after it has moved
 constexpr double k_turn_deg_s = 4.0;    // about the upright axis all the time, so that depth is seen
 
 /// Slow first and last.
@@ -51,9 +51,9 @@ Moment Presentation::at(double time_s) const {
     since_s -= each.length_s;
     former = &each;
   }
-  const double opening_s = std::max(act->length_s - 2.0 * k_opening_rest, 1e-3);
+  const double opening_s = std::max(act->length_s - k_flight_s - k_opening_rest, 1e-3);
   const double before = act == former ? 0.0 : former->open;
-  const double opened = std::clamp((since_s - k_opening_rest) / opening_s, 0.0, 1.0);
+  const double opened = std::clamp((since_s - k_flight_s) / opening_s, 0.0, 1.0);
   const double flown = smooth(since_s / k_flight_s);
   const Camera camera = interpolated(former->camera, act->camera, flown);
   return {.camera = orbited(camera, {turn, 0.0}, {0, 0, 1}, camera.target),

@@ -200,15 +200,9 @@ double place_of(double draft_deg) {
 }
 
 void draw_bars(DesignSpace& at, const DraftCheck& check, const LegendStyle& style) {
-  double tallest = 0.0;
-  const auto is_shown = [](const DraftBin& bin) {
-    return bin.from_deg >= k_from_deg && bin.to_deg <= k_to_deg;
-  };
+  const double tallest = tallest_bin(check, k_from_deg, k_to_deg);
   for (const DraftBin& bin : check.histogram) {
-    if (is_shown(bin)) tallest = std::max(tallest, bin.area[0] + bin.area[1]);
-  }
-  for (const DraftBin& bin : check.histogram) {
-    if (!is_shown(bin) || tallest <= 0.0) continue;
+    if (!bin.within(k_from_deg, k_to_deg) || tallest <= 0.0) continue;
     double foot = k_padding + k_chart_bottom;
     const double left = place_of(bin.from_deg) + 0.5, width = place_of(bin.to_deg) - left - 0.5;
     for (const Region region : {Region::core, Region::cavity}) {
@@ -231,6 +225,13 @@ std::span<const Option<DraftSettings>> draft_options() {
        PositiveKind<S>{[](S& s) -> double& { return s.required_deg; }, k_most_required_deg}},
   };
   return k_options;
+}
+
+double tallest_bin(const DraftCheck& check, double from_deg, double to_deg) {
+  double tallest = 0.0;
+  for (const DraftBin& bin : check.histogram)
+    if (bin.within(from_deg, to_deg)) tallest = std::max(tallest, bin.area[0] + bin.area[1]);
+  return tallest;
 }
 
 DraftCheck check_draft(const PartModel& model, const Assignment& assignment, const ReverseDraft& reverse,

@@ -42,6 +42,8 @@ struct DraftDemand {
 struct DraftBin {
   double from_deg = 0.0, to_deg = 0.0;
   std::array<double, 2> area{};  // of core, of cavity
+
+  [[nodiscard]] bool within(double from, double to) const { return from_deg >= from && to_deg <= to; }
 };
 
 /// What one half forms of a face with too little draft, and the least that gives it enough: a turn about the
@@ -81,6 +83,9 @@ struct DraftCheck {
   std::vector<WallDraft> walls;     // those that cost most thickness first
   std::vector<FinishDraft> finishes;  // the one that asks for most first
 };
+
+/// The greatest area of both halves in a bin between these; 0 for none.
+[[nodiscard]] double tallest_bin(const DraftCheck& check, double from_deg, double to_deg);
 
 /// `reverse` is the classification's of the assignment's direction.
 [[nodiscard]] DraftCheck check_draft(const PartModel& model, const Assignment& assignment,

@@ -39,6 +39,16 @@ TEST(OpeningMold, MovesSlidesThenHalvesThenLifters) {
   EXPECT_NEAR(opened_mold(&plan, 1.0 / 6.0).slides, 0.5, 1e-12) << "each has as much time";
 }
 
+TEST(OpeningMold, SaysInASentenceWhatMovesFirst) {
+  ActionPlan plan;
+  plan.actions = {action(ActionKind::slide, 12.0), action(ActionKind::lifter, 4.0)};
+  EXPECT_EQ(first_moves_text(plan), "1 slide moves out first.");
+  plan.actions.push_back(action(ActionKind::slide, 5.0));
+  EXPECT_EQ(first_moves_text(plan), "2 slides move out first.");
+  plan.actions.push_back(action(ActionKind::unscrew, 9.0));
+  EXPECT_EQ(first_moves_text(plan), "2 slides and 1 unscrewing core move out first.");
+}
+
 TEST(OpeningMold, IsOfHalvesAloneWithoutActions) {
   const ActionPlan none;
   for (const double open : {0.0, 0.3, 1.0}) {
