@@ -422,7 +422,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
   halves.part_height = halves.scale * (box.max.z - box.min.z);
   if (!model.health.closed) {
     halves.refusal = "the part is not closed";
-    halves.change = "--repair full fills small holes, moldlight info lists all holes";
+    halves.change = "repair the mesh (--repair full) first";
     for (const EdgeDefect kind : {EdgeDefect::open, EdgeDefect::inconsistent, EdgeDefect::nonmanifold}) {
       const auto chains = defect_chains(model.part.mesh, kind);
       if (halves.refused_at || chains.empty()) continue;

@@ -110,10 +110,11 @@ std::optional<MoldFault> residual(const Sheets& sheets, double diagonal) {
     place = 0.5 * (sheets.vertices[segment.edges[0].a] + sheets.vertices[segment.edges[0].b]);
   }
   if (length <= 0.0) return std::nullopt;
-  return MoldFault{fmt::format("the outline from above and the outline from below differ over {:.3g} of "
-                               "their length: bodies overlap or touch there, or the surface is folded",
-                               length * diagonal),
-                   k_mend_surface, place};
+  return MoldFault{
+      fmt::format("the outline from above and the outline from below differ over a length of "
+                  "{:.3g}, in the part's unit: bodies overlap or touch there, or the surface is folded",
+                  length * diagonal),
+      k_mend_surface, place};
 }
 
 }  // namespace moldlight

@@ -132,10 +132,10 @@ void draw_direction_fields(const PanelContext& context) {
   }
   if (typed && direction != glm::dvec3(0.0)) present = direction;
   Angles angles = angles_of(present.unit());
-  bool turned = number_field(ui, "azimuth", angles.azimuth_deg, {"az °", 1, half});
+  bool turned = number_field(ui, "azimuth", angles.azimuth_deg, {"azimuth °", 1, half});
   tooltip(ui, "Azimuth", "Angle about z, from x towards y, in degrees.");
   ImGui::SameLine(0.0F, gap);
-  turned = number_field(ui, "elevation", angles.elevation_deg, {"el °", 1, half}) || turned;
+  turned = number_field(ui, "elevation", angles.elevation_deg, {"elevation °", 1, half}) || turned;
   tooltip(ui, "Elevation", "Angle above the xy plane, in degrees.");
   if (turned) present = direction_of(angles);
 }

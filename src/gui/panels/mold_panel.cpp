@@ -200,8 +200,8 @@ SaidHalves said_halves(const AppState& state) {
 std::string halves_refusal(const AppState& state) {
   std::string text = halves_refusal(said_halves(state));
   // Flags mean nothing here.
-  if (const std::size_t flags = text.find("; --"); flags != std::string::npos)
-    text.replace(flags, std::string::npos, ". Repair the mesh first");
+  for (std::size_t flag = text.find(" (--"); flag != std::string::npos; flag = text.find(" (--", flag))
+    text.erase(flag, text.find(')', flag) + 1 - flag);
   return sentence_of(text);
 }
 

@@ -14,7 +14,7 @@ BarNews running_news(const std::optional<JobStatus>& running, const char* usual)
 
 void TableBar::draw_inside(const PanelContext& context, const TableBarParts& parts) {
   constexpr float k_line = 16.0F;  // layout units
-  constexpr std::size_t k_most_lines = 4;
+  constexpr std::size_t k_most_lines = 6;
   const Ui& ui = context.ui;
   const BarNews& news = parts.news;
   const glm::vec2 start = cursor_at();

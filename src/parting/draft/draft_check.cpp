@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -192,6 +193,7 @@ constexpr double k_width = 372.0, k_height = 224.0, k_margin = 24.0, k_padding =
 constexpr double k_title_at = 14.0, k_line_at = 34.0;  // baselines
 constexpr double k_chart_top = 56.0, k_chart_bottom = 158.0, k_axis_at = 174.0;
 constexpr double k_from_deg = -5.0, k_to_deg = 10.0;
+constexpr double k_least_wall_share = 1e-6;  // of the part's surface: a smaller wall is a sliver
 constexpr double k_least_scale = 0.5;
 constexpr glm::dvec2 k_design(1600.0, 1000.0);
 
@@ -280,7 +282,11 @@ DraftCheck check_draft(const PartModel& model, const Assignment& assignment, con
     ++finish->faces_below;
     wall.finish = finish->finish.name;
   }
-  std::ranges::stable_sort(check.walls, std::greater(), &WallDraft::thickness);
+  // Slivers of the tessellation have angles of their own: nobody looks for them.
+  const double least = k_least_wall_share * model.geometry.total_area;
+  std::ranges::stable_sort(check.walls, [&](const WallDraft& a, const WallDraft& b) {
+    return std::pair(a.area < least, -a.thickness) < std::pair(b.area < least, -b.thickness);
+  });
   return check;
 }
 

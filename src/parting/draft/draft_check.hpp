@@ -80,7 +80,7 @@ struct DraftCheck {
   double reverse_undercut = 0.0;    // area of the same faces that leans back and is an undercut: neither half
                                     // reaches beyond what the lateral tolerance lets pass
   std::vector<DraftBin> histogram;  // all that the halves form, from -90 to 90 degrees
-  std::vector<WallDraft> walls;     // those that cost most thickness first
+  std::vector<WallDraft> walls;     // those that cost most thickness first, slivers last
   std::vector<FinishDraft> finishes;  // the one that asks for most first
 };
 
