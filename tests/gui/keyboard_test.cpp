@@ -65,7 +65,7 @@ TEST_F(Keys, TabReachesTheControlsOfAllPanelsAndComesRound) {
                               "Map resolution",
                               "Mark the difference",
                               "Hatching",
-                              "play the shot",
+                              "Open the mold (O)",
                               "Opened",
                               "Section",
                               "Find directions",

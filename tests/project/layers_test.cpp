@@ -1,5 +1,6 @@
 // The layers of src/: who may include whom, and which library belongs to which layer. Read from the include
 // lines.
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -205,6 +206,17 @@ TEST(Layers, SourcesKeepToThem) {
     }
   }
   EXPECT_GT(files, 80u);
+}
+
+TEST(Layers, TheWindowHasNoMoreLinesThanItMay) {
+  constexpr std::ptrdiff_t k_most = 15'800;
+  std::ptrdiff_t lines = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(test::asset_folder().parent_path() / "src/gui")) {
+    if (!entry.is_regular_file()) continue;
+    const std::string text = test::file_bytes(entry.path());
+    lines += std::count(text.begin(), text.end(), '\n');
+  }
+  EXPECT_LE(lines, k_most) << "what is added needs as much taken away";
 }
 
 TEST(Layers, FilesAreNamedAndHeadedAsTheyShould) {

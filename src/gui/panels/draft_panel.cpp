@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 #include "gui/draw/widgets.hpp"
 #include "gui/panels/option_row.hpp"
@@ -276,10 +277,9 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
     draw_cell(ui, upper, k_draft_columns[k],
               {k == 0 ? ui.fonts.strong : ui.fonts.body, leans ? ui.colours->warning : normal}, texts[k]);
   }
-  draw_second_line(
-      ui, row.box, 24.0F,
-      fmt::format("{} {} · {} {} high · turn {:.3g}°", grouped(rounded(wall.area)),
-                  powered_unit(state.model->part, 2), rounded(wall.height), unit, wall.turn_deg));
+  draw_second_line(ui, row.box, 24.0F,
+                   fmt::format("{} · {} {} high · turn {:.3g}°", area_with_unit(*state.model, wall.area),
+                               rounded(wall.height), unit, wall.turn_deg));
   tooltip(ui, fmt::format("Face {} of the {}", wall.face, side_name(wall.side)),
           fmt::format("{}{}\nClick to look at it.", suggestion(*state.model, wall),
                       wall.foot_line ? "" : "\nThe foot of the wall is bent: another shape may need less."));

@@ -234,8 +234,9 @@ void draw_mold_panel(const PanelContext& context, TableBar& bar) {
       .options_hint = "Settings of the mold",
       .news = mold_news(mold, mold.running || mold.line_awaited || mold.solids_awaited,
                         pieces != nullptr ? with_minus(pieces_sentence(*context.state.model, *pieces->result))
-                        : is_settled(mold) && mold.solids->halves.made() ? "Both halves are made and checked."
-                                                                         : ""),
+                        : !is_settled(mold)          ? ""
+                        : mold.solids->halves.made() ? "Both halves are made and checked."
+                                                     : "No halves can be made."),
       .settings = [&] { draw_mold_settings(context); }};
   parts.table = [&](RowCursor&) {
     draw_pieces(context);
