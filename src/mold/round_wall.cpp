@@ -1,7 +1,9 @@
 #include "mold/round_wall.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <unordered_set>
 #include <vector>
 
@@ -15,10 +17,12 @@ namespace moldlight {
 namespace {
 
 constexpr double k_flat_deg = 0.5,
-                 k_strip_deg = 45.0;    // bends within a strip of the wall, and between strips
+                 k_strip_deg = 37.5;    // bends within a strip of the wall, and between strips: no chamfer's
 constexpr double k_off_axis_deg = 2.0;  // by which a normal's angle to the axis may differ
 constexpr double k_least_turn_deg = 60.0;
 constexpr std::size_t k_least_strips = 4;  // any three normals end on a circle: a chamfered edge is no wall
+constexpr double k_one_wall_deg = 10.0;    // between the axis of a wall and that of most of it
+constexpr double k_wide_deg = 20.0;        // a bend at which another surface may begin
 constexpr std::size_t k_most_facets = 20'000;  // walls of more are judged by this part of them
 constexpr std::size_t k_most_guesses = 8;
 
@@ -31,6 +35,7 @@ struct Wall {
   double area = 0.0;
   double turn_deg = 0.0;
   std::size_t strips = 1;  // that face different ways
+  bool one = true;         // what lies on either side of its widest bend has the same axis
 };
 
 /// A normal of the wall, and where it points about the axis.
@@ -38,6 +43,18 @@ struct Spoke {
   double angle_deg = 0.0;
   glm::dvec3 normal{0.0};
 };
+
+/// How many ways they face; by their angle. Facets of one strip of a cone face ways that differ a little.
+std::size_t strips_of(std::span<const Spoke> spokes) {
+  std::size_t strips = 0;
+  double last_deg = -360.0;
+  for (const Spoke& spoke : spokes) {
+    if (spoke.angle_deg - last_deg <= k_off_axis_deg) continue;
+    ++strips;
+    last_deg = spoke.angle_deg;
+  }
+  return strips;
+}
 
 /// Spreads from `start` over edges; accept(facet, next) says whether to go on to a facet not reached yet.
 template <typename Accept>
@@ -55,9 +72,32 @@ void grow(const Adjacency& adjacency, FacetIndex start, Accept&& accept) {
   }
 }
 
-/// The facets around `start` whose normals have the same angle to a guess at the axis, and their axis:
-/// normals of a cylinder or a cone end on a circle about it, so that it is the area vector of the polygon
-/// that they span.
+/// Normals of a cylinder or a cone end on a circle about its axis, so that it is the area vector of the
+/// polygon that they span.
+glm::dvec3 area_vector(std::span<const Spoke> spokes) {
+  glm::dvec3 area = glm::cross(spokes.back().normal, spokes.front().normal);
+  for (std::size_t k = 1; k < spokes.size(); ++k) area += glm::cross(spokes[k - 1].normal, spokes[k].normal);
+  return area;
+}
+
+/// Some circle goes through the normals of a cone and of a plane that it begins in, too. The spokes by their
+/// angle.
+bool is_one_wall(std::span<const Spoke> spokes, const glm::dvec3& axis) {
+  std::size_t widest = 0;
+  double step_deg = k_wide_deg;
+  for (std::size_t k = 1; k < spokes.size(); ++k) {
+    if (const double step = spokes[k].angle_deg - spokes[k - 1].angle_deg; step > step_deg)
+      step_deg = step, widest = k;
+  }
+  const std::array sides = {spokes.first(widest), spokes.subspan(widest)};
+  return std::ranges::all_of(sides, [&](std::span<const Spoke> side) {
+    const glm::dvec3 area = side.empty() ? glm::dvec3(0.0) : area_vector(side);
+    return strips_of(side) < k_least_strips ||
+           std::abs(glm::dot(area, axis)) >= std::cos(glm::radians(k_one_wall_deg)) * glm::length(area);
+  });
+}
+
+/// The facets around `start` whose normals have the same angle to a guess at the axis, and their axis.
 Wall wall_about(const FacetGeometry& geometry, const Adjacency& adjacency, FacetIndex start,
                 const glm::dvec3& guess) {
   const glm::dvec3& normal = geometry.normals[start];
@@ -77,16 +117,14 @@ Wall wall_about(const FacetGeometry& geometry, const Adjacency& adjacency, Facet
   });
   // The turn is a full one less the widest gap between neighbouring normals.
   std::ranges::sort(spokes, {}, &Spoke::angle_deg);
-  glm::dvec3 area = glm::cross(spokes.back().normal, spokes.front().normal);
+  const glm::dvec3 area = area_vector(spokes);
   double gap = 360.0 - (spokes.back().angle_deg - spokes.front().angle_deg);
-  for (std::size_t k = 1; k < spokes.size(); ++k) {
-    area += glm::cross(spokes[k - 1].normal, spokes[k].normal);
-    const double step_deg = spokes[k].angle_deg - spokes[k - 1].angle_deg;
-    gap = std::max(gap, step_deg);
-    wall.strips += step_deg > k_flat_deg ? 1 : 0;
-  }
+  for (std::size_t k = 1; k < spokes.size(); ++k)
+    gap = std::max(gap, spokes[k].angle_deg - spokes[k - 1].angle_deg);
+  wall.strips = strips_of(spokes);
   wall.turn_deg = 360.0 - gap;
   wall.axis = glm::length(area) > 0.0 ? glm::normalize(area) : guess;
+  wall.one = is_one_wall(spokes, wall.axis);
   return wall;
 }
 
@@ -122,7 +160,8 @@ std::optional<RoundWall> round_wall(const FacetGeometry& geometry, const Adjacen
     // The second time about the axis that the first time has found.
     const Wall rough = wall_about(geometry, adjacency, facet, axis);
     const Wall wall = wall_about(geometry, adjacency, facet, rough.axis);
-    if (wall.turn_deg >= k_least_turn_deg && wall.strips >= k_least_strips && wall.area > best.area)
+    if (wall.one && wall.turn_deg >= k_least_turn_deg && wall.strips >= k_least_strips &&
+        wall.area > best.area)
       best = wall;
   }
   if (best.area <= 0.0) return std::nullopt;

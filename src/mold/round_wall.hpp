@@ -15,7 +15,7 @@ struct RoundWall {
   double area = 0.0;     // model units squared
 };
 
-/// The round wall around `facet`: facets, joined over edges that bend by less than 45 degrees,
+/// The round wall around `facet`: facets, joined over edges that bend by less than 37.5 degrees,
 /// whose normals have one angle to the axis and turn about it by 60 degrees at least, in four steps or more.
 /// Nothing where there is none.
 [[nodiscard]] std::optional<RoundWall> round_wall(const FacetGeometry& geometry, const Adjacency& adjacency,

@@ -1,6 +1,7 @@
 // The axis of a round wall: cylinders and cones, whole and in part.
 #include "mold/round_wall.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -55,6 +56,39 @@ TEST(RoundWall, AConeHasTheAxisOfItsCylinder) {
   for (const double draft_deg : {0.0, 0.5, 1.0, 3.0, 5.0, 20.0}) {
     for (const int sides : {12, 24, 90}) EXPECT_LT(worst_deg(drafted(sides, draft_deg)), 0.01) << draft_deg;
     EXPECT_LT(worst_deg(drafted(10, draft_deg, 120.0)), 0.01) << draft_deg << " in part";
+  }
+}
+
+/// Some circle goes through the normals of a plane and of a cone that begins in it.
+TEST(RoundWall, APlaneAroundACountersinkHasNone) {
+  for (const int sides : {40, 64}) {
+    for (const double deep : {1.15, 2.0, 3.0}) {
+      const test::Loop2 wide = test::regular_polygon(sides, 4.0), narrow = test::regular_polygon(sides, 2.0);
+      const test::Loop2 rim = {{-20, -15}, {20, -15}, {20, 15}, {-20, 15}};
+      test::SolidBuilder solid;
+      test::Loop bottom = test::at_height(rim, -6.0), hole = test::at_height(narrow, -6.0);
+      solid.walls(bottom, test::at_height(rim, 0.0));
+      std::ranges::reverse(bottom);
+      solid.face(bottom, {hole});
+      solid.face(test::at_height(rim, 0.0), {test::at_height(wide, 0.0)});
+      test::Loop low = test::at_height(narrow, -deep), high = test::at_height(wide, 0.0);
+      for (test::Loop* loop : {&low, &high, &hole}) std::ranges::reverse(*loop);
+      solid.walls(low, high);
+      solid.walls(hole, low);
+      const TriangleMesh mesh = solid.mesh();
+      const FacetGeometry geometry = facet_geometry(mesh);
+      const Adjacency adjacency = build_adjacency(mesh);
+      for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+        const bool top = geometry.normals[facet].z > 0.999;
+        const auto wall = round_wall(geometry, adjacency, facet);
+        if (top) {
+          EXPECT_FALSE(wall) << sides << " sides, " << deep << " deep";
+        }
+        if (std::abs(geometry.normals[facet].z) < 0.9 && wall) {
+          EXPECT_GT(std::abs(wall->axis.z), 0.9999) << sides << " sides, " << deep << " deep";
+        }
+      }
+    }
   }
 }
 
