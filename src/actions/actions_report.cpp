@@ -125,7 +125,7 @@ Json rejected_json(const RejectedAction& rejected) {
           {"place", point_json(rejected.place)},
           {"room", std::isfinite(rejected.room) ? Json(rejected.room) : Json()},
           {"depth", rejected.depth > 0.0 ? Json(rejected.depth) : Json()},
-          {"when", rejected.depth > 0.0 ? Json(stage_text(rejected.when)) : Json()},
+          {"when", rejected.depth > 0.0 && rejected.strain == 0.0 ? Json(stage_text(rejected.when)) : Json()},
           {"width", rejected.width > 0.0 ? Json(rejected.width) : Json()},
           {"lean_deg", rejected.lean_deg > 0.0 ? Json(rejected.lean_deg) : Json()},
           {"strain", rejected.strain > 0.0 ? Json(rejected.strain) : Json()},
@@ -178,6 +178,11 @@ std::string change_text(const ActionsReport& report, std::size_t undercut, bool 
   if (refused != report.plan.rejected.end() && refused->reason == RejectReason::thin_pin)
     ways.push_back(fmt::format("widen the hole from {} to {} {}", rounded(refused->width),
                                rounded(report.settings.pin_diameter_mm * unit_per_mm(model.part)), unit));
+  if (refused != report.plan.rejected.end() && refused->reason == RejectReason::too_strained) {
+    const double share = 0.01 * report.settings.strip_strain_pct / refused->strain;
+    ways.push_back(fmt::format("let the ring reach {} instead of {} {} over what it passes, to strip it off",
+                               rounded(share * refused->depth), rounded(refused->depth), unit));
+  }
   const DesignChange& change = report.changes[undercut];
   if (report.plan.undercuts[undercut].closed_void) ways.emplace_back("fill the void");
   if (change.depth) ways.push_back(fmt::format("cut back by {} {}", rounded(*change.depth), unit));

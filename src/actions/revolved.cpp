@@ -341,7 +341,8 @@ std::optional<Ring> find_ring(const PartModel& model, const RevolvedSurface& sur
     }
     const double strain = inside ? (ring - way) / way : (way - ring) / way;
     if (!std::isfinite(strain) || way <= 0.0) continue;
-    if (!best || strain < best->strain) best = Ring{*fit, std::max(0.0, strain), core_side};
+    if (!best || strain < best->strain)
+      best = Ring{*fit, std::max(0.0, strain), std::abs(ring - way) / k_angles, core_side};
   }
   return best;
 }

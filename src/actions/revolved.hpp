@@ -56,6 +56,7 @@ struct Ring {
   HelixFit axis;
   double strain =
       0.0;  // of what is stretched, greatest diameter less the least, as a share of that which stretches
+  double depth = 0.0;  // by which it reaches beyond what it must pass, share of the diagonal
   bool core_side = true;
 };
 

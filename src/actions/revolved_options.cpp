@@ -112,6 +112,7 @@ class RevolvedFinder {
                            .reason = RejectReason::too_strained,
                            .place = model_.frame.center + model_.frame.diagonal * at,
                            .room = std::numeric_limits<double>::infinity(),
+                           .depth = model_.frame.diagonal * ring->depth,
                            .strain = ring->strain});
       return;
     }

@@ -106,8 +106,8 @@ struct RejectedAction {
   RejectReason reason = RejectReason::no_room;
   glm::dvec3 place{0.0};  // on the undercut, from where it fails; of a body that hits, its deepest point
   double room = 0.0;      // of a lifter: beyond the travel from there; what is needed is the lifter's
-  double depth = 0.0;     // of a body that hits
-  HitStage when = HitStage::rest;  // likewise
+  double depth = 0.0;     // of a body that hits; by which a ring reaches beyond what it must pass
+  HitStage when = HitStage::rest;  // of a body that hits
   double width = 0.0;              // of a thin pin
   double strain = 0.0;             // of a ring
   double lean_deg = 0.0;           // of a slide that leans too much, off the plane across the direction

@@ -192,6 +192,7 @@ TEST(Ring, IsStrippedAtItsStrain) {
     ASSERT_EQ(told != refused.rejected.end(), groove.inside) << "slides release the other";
     if (!groove.inside) continue;
     EXPECT_NEAR(told->strain, strain, 0.001);
+    EXPECT_NEAR(told->depth, groove.depth, 0.02);
     EXPECT_EQ(told->kind, ActionKind::strip);
   }
 }
