@@ -120,8 +120,10 @@ std::vector<FreedPart> PullFinder::opposite_slides(std::span<const UndercutSampl
 std::optional<Pull> PullFinder::most_freeing(std::span<const UndercutSample> samples,
                                              std::span<const PullCandidate> tried,
                                              std::optional<ActionKind> only, double& most) const {
+  std::vector<PullCandidate> in_order(tried.begin(), tried.end());
+  std::ranges::stable_partition(in_order, [&](const auto& one) { return is_axis(one.direction); });
   std::optional<Pull> best;
-  for (const PullCandidate& candidate : tried) {
+  for (const PullCandidate& candidate : in_order) {
     const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
     const ActionKind kind = angle_deg <= settings_.slide_angle_deg ? ActionKind::slide : ActionKind::inclined;
     if (angle_deg > settings_.incline_deg || (only && only != kind)) continue;

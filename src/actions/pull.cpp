@@ -23,7 +23,8 @@ constexpr double k_way_cost = 0.01;     // likewise: steel of core and cavity th
 constexpr double k_strain_cost = 10.0;  // of a ring that is stretched to twice its size
 constexpr double k_even_cost = 1e-3;  // of a direction that the part does not suggest, or but beside its axis
 constexpr double k_cost_step = 1e-6;  // less is rounding
-constexpr double k_wish_gain = 0.05;  // of a direction of the user's own, off the weights
+constexpr double k_across_cost = 0.25;  // of a slide across the part: it takes the room of the core
+constexpr double k_wish_gain = 0.05;    // of a direction of the user's own, off the weights
 
 std::span<const UndercutSample> few_of(std::span<const UndercutSample> samples) {
   return samples.first(std::min(samples.size(), k_quick_samples));
@@ -42,9 +43,11 @@ double pull_cost(const Pull& pull, const ActionPrices& prices) {
   const double width_deg = pull.interval.to_deg - pull.interval.from_deg;
   const double gain = pull.source == PullSource::wish ? k_wish_gain : 0.0;
   const double strain = pull.kind == ActionKind::strip ? pull.about->strain : 0.0;
+  const double far = pull.across ? k_across_cost : 0.0;
   const double meant = pull.source == PullSource::even || pull.beside_axis ? k_even_cost : 0.0;
-  const double cost = prices[static_cast<std::size_t>(pull.kind)] - gain + meant + k_strain_cost * strain +
-                      k_way_cost * pull.way + k_travel_cost * pull.travel + k_narrow_cost / (1.0 + width_deg);
+  const double cost = prices[static_cast<std::size_t>(pull.kind)] - gain + meant + far +
+                      k_strain_cost * strain + k_way_cost * pull.way + k_travel_cost * pull.travel +
+                      k_narrow_cost / (1.0 + width_deg);
   return k_cost_step * std::round(cost / k_cost_step);
 }
 
@@ -85,7 +88,9 @@ std::vector<Pull> PullFinder::find(std::span<const UndercutSample> samples,
       own.for_sharing = true;
       pulls.push_back(own);
     }
-    if (!pulls.empty()) return pulls;
+    if (pulls.empty()) continue;
+    if (!only) add_lifters_inside(samples, tried, pulls);
+    return pulls;
   }
   return !only || only == ActionKind::lifter ? find_lifters(samples, tried) : std::vector<Pull>();
 }
@@ -166,6 +171,10 @@ std::optional<PullCandidate> PullFinder::meant_within(const Pull& pull,
   const double least_deg = (wide ? k_margin : k_narrow_margin) * width_deg;
   // Along walls that say where the part points a slide leaves at the end of what is free but for the draft.
   const double least_part_deg = wide ? std::min(least_deg, k_nearly_upright * tau_deg_) : least_deg;
+  // What is free to turn is held by no round wall: its axis is no better than one of the part.
+  const auto rank = [&](PullSource source) {
+    return wide && source == PullSource::exact ? PullSource::part : source;
+  };
   std::optional<PullCandidate> best;
   double margin_deg = 0.0;
   const auto look_at = [&](const PullCandidate& other) {
@@ -176,9 +185,9 @@ std::optional<PullCandidate> PullFinder::meant_within(const Pull& pull,
     const double turn_deg = turn_between(pull.direction, other.direction, direction_);
     const double its_deg = std::min(to_deg - turn_deg, turn_deg - from_deg);
     if (its_deg < (other.source == PullSource::part ? least_part_deg : least_deg) ||
-        (best && other.source > best->source))
+        (best && rank(other.source) > rank(best->source)))
       return;
-    if (best && other.source == best->source) {
+    if (best && rank(other.source) == rank(best->source)) {
       const bool axis = is_axis(other.direction), best_axis = is_axis(best->direction);
       if (axis == best_axis ? its_deg <= margin_deg + k_same_elevation_deg : best_axis) return;
     }
@@ -205,6 +214,40 @@ double PullFinder::way_out(const glm::dvec3& from, const glm::dvec3& pull) const
     if (toward > 1e-6) least = std::min(least, (side.reach - glm::dot(from, side.normal)) / toward);
   }
   return std::max(0.0, least);
+}
+
+bool PullFinder::goes_across(std::span<const UndercutSample> samples, const glm::dvec3& pull) const {
+  constexpr double k_far_side = 0.6;  // of the part's extent
+  const glm::dvec3 aside = glm::normalize(glm::cross(direction_, pull));
+  double out = 0.0, back = 0.0;
+  std::size_t inside = 0;
+  const auto few = few_of(samples);
+  for (const UndercutSample& sample : few) {
+    const glm::dvec3 from(release_.start(sample, pull));
+    const double way = way_out(from, pull);
+    const glm::dvec3 halfway = from + 0.5 * way * pull;
+    if ((release_.gap(halfway, direction_) || release_.gap(halfway, -direction_)) &&
+        release_.gap(halfway, aside) && release_.gap(halfway, -aside))
+      ++inside;
+    out += way;
+    back += way_out(from, -pull);
+  }
+  return out > k_far_side * (out + back) && 2 * inside > few.size();
+}
+
+void PullFinder::add_lifters_inside(std::span<const UndercutSample> samples,
+                                    std::span<const PullCandidate> tried, std::vector<Pull>& slides) const {
+  constexpr double k_short = 0.25;  // of a slide's way
+  double way = k_never;
+  for (const Pull& slide : slides) {
+    if (!goes_across(samples, slide.direction)) return;
+    way = std::min(way, slide.way);
+  }
+  std::vector<Pull> lifters = find_lifters(samples, tried);
+  std::erase_if(lifters, [&](const Pull& pull) { return pull.lack || pull.travel > k_short * way; });
+  if (lifters.empty()) return;
+  for (Pull& slide : slides) slide.across = true;
+  slides.insert(slides.end(), lifters.begin(), lifters.end());
 }
 
 void PullFinder::estimate_travel(std::span<const UndercutSample> samples, Pull& pull) const {

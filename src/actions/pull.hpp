@@ -34,6 +34,7 @@ struct Pull {
   TurnInterval interval = {};
   double travel = 0.0;  // share of the diagonal, without clearance
   double way = 0.0;     // of a slide: from its undercut out to where the part ends, in the mean, likewise
+  bool across = false;  // of a slide: it goes across the part, where a short lifter would do
   bool core_side = true;
   std::optional<Revolution> about = {};
   bool for_sharing = false;  // not the best for this undercut alone
@@ -48,7 +49,8 @@ struct Pull {
   std::optional<Lack> lack = {};
 };
 
-/// The price of its kind, of a ring with its strain; of equal ones that with the shorter way out is cheaper,
+/// The price of its kind, of a ring with its strain, of a slide across the part with what a lifter may cost
+/// more; of equal ones that with the shorter way out is cheaper,
 /// then the shorter travel, then the one that leaves more room to turn. Differences of rounding are none.
 [[nodiscard]] double pull_cost(const Pull& pull, const ActionPrices& prices);
 
@@ -175,6 +177,12 @@ class PullFinder {
                                                  std::optional<ActionKind> only, double& most) const;
   /// From a point (unit frame) to where it leaves the block round the part.
   [[nodiscard]] double way_out(const glm::dvec3& from, const glm::dvec3& pull) const;
+  /// Whether a slide leaves by the far side of the part, and has the part on both sides of it and above or
+  /// below when it is halfway out.
+  [[nodiscard]] bool goes_across(std::span<const UndercutSample> samples, const glm::dvec3& pull) const;
+  /// Where all slides go across, beside short lifters, these are the better choice.
+  void add_lifters_inside(std::span<const UndercutSample> samples, std::span<const PullCandidate> tried,
+                          std::vector<Pull>& slides) const;
 
   const PartAxes& axes_;
   glm::dvec3 direction_;

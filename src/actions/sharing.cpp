@@ -209,16 +209,19 @@ class Sharing {
     return shared.has_value();
   }
 
-  /// In a row across the pull, facing the same way, with a gap no wider than either of them.
+  /// In a row across the pull, facing the same way, with a gap no wider than either of them; or one above the
+  /// other, where the one lifter's stem would go through the other's head.
   [[nodiscard]] bool are_side_by_side(std::size_t a, std::size_t b, Along& along) const {
     constexpr double k_least_facing = 0.3, k_same_way = 0.9;
     const glm::dvec3 &one_way = balls_[a].facing, &other_way = balls_[b].facing;
-    const double lengths = glm::length(one_way) * glm::length(other_way);
-    if (lengths < k_least_facing * k_least_facing || glm::dot(one_way, other_way) < k_same_way * lengths)
-      return false;
+    if (along.spacing(a, b, k_along).gap >= 0.0) return false;
     const Spacing across = along.spacing(a, b, k_level);
-    return across.gap <= across.shorter && along.spacing(a, b, k_along).gap < 0.0 &&
-           along.spacing(a, b, k_upright).gap < 0.0;
+    if (along.spacing(a, b, k_upright).gap >= 0.0)
+      return across.gap < 0.0 && glm::dot(one_way, along.pull()) > k_least_facing &&
+             glm::dot(other_way, along.pull()) > k_least_facing;
+    const double lengths = glm::length(one_way) * glm::length(other_way);
+    return lengths >= k_least_facing * k_least_facing &&
+           glm::dot(one_way, other_way) >= k_same_way * lengths && across.gap <= across.shorter;
   }
 
   /// Whether some of their own directions are near enough to each other, or the shapes of both suggest this

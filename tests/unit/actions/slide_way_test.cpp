@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "support/box_pile.hpp"
 #include "unit/actions/known_undercuts.hpp"
 
 namespace moldlight {
@@ -218,6 +219,44 @@ TEST(SlideWay, OfKnucklesIsOnePin) {
   ASSERT_EQ(actions_text(planned.plan), "1 slide");
   EXPECT_EQ(planned.plan.actions[0].undercuts.size(), 3U);
   EXPECT_NEAR(planned.plan.actions[0].travel, 20.0 + 3.0, 1e-3);
+}
+
+/// An open box with ledges on the inside of its left wall, one above the other; the right wall may be open
+/// across from them.
+TriangleMesh box_with_ledges(int ledges, bool open) {
+  test::BoxPile pile{
+      .planes = {{{0, 2, 4, 58, 60}, {0, 2, 13, 15, 25, 27, 38, 40}, {0, 2, 10, 12, 18, 20, 28}}},
+      .filled = {}};
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 7; ++j) {
+      for (int k = 0; k < 6; ++k) {
+        const bool wall = k == 0 || i == 0 || (i == 3 && !(open && j > 1 && j < 5)) || j == 0 || j == 6;
+        const bool ledge = i == 1 && j == 3 && (k == 2 || (k == 4 && ledges > 1));
+        pile.filled.push_back(wall || ledge);
+      }
+    }
+  }
+  return test::pile_mesh(pile, 1);
+}
+
+/// Not a slide across the whole box, above its bottom, where the core has to be.
+TEST(SlideWay, OutOfABoxIsNotAcrossItWhereALifterWouldDo) {
+  const Planned planned = plan_of(box_with_ledges(1, true));
+  ASSERT_EQ(actions_text(planned.plan), "1 lifter");
+  EXPECT_NEAR(planned.plan.actions[0].direction.x, 1.0, 1e-9);
+  EXPECT_NEAR(planned.plan.actions[0].travel, 2.0, 1e-3);
+  // Where lifters cost more, it is.
+  ActionSettings slides_alone;
+  slides_alone.prices[static_cast<std::size_t>(ActionKind::lifter)] = 2.0;
+  EXPECT_EQ(actions_text(plan_of(box_with_ledges(1, true), slides_alone).plan), "1 slide");
+}
+
+/// The stem of a lifter for the lower ledge alone would go through the upper one's head.
+TEST(SlideWay, UnderLedgesAboveEachOtherIsThatOfOneLifter) {
+  const Planned planned = plan_of(box_with_ledges(2, false));
+  ASSERT_EQ(actions_text(planned.plan), "1 lifter");
+  EXPECT_EQ(planned.plan.actions[0].undercuts.size(), planned.plan.undercuts.size());
+  EXPECT_NEAR(planned.plan.actions[0].direction.x, 1.0, 1e-9);
 }
 
 /// Wherever its facets lie.
