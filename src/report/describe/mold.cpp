@@ -127,7 +127,12 @@ Section halves_section(const MoldReport& found, bool drawn) {
                         halves.refused_at ? loop_near(found.line, *halves.refused_at) : std::string()));
     return section;
   }
-  if (found.pieces == nullptr) notice(sentence_of(unfilled_text(found.model, found.settings, halves)));
+  if (found.pieces == nullptr) {
+    const std::string unfilled = unfilled_text(found.model, found.settings, halves);
+    notice(sentence_of(unfilled));
+    if (!unfilled.empty() && found.plan == nullptr)
+      notice("With --actions, slides and lifters form them, and the parting surface need not reach there.");
+  }
   section.add(grid_of(FigureStyle(found.model), found_figures(halves_figures(), halves), ""));
   for (const std::string& remark : halves_remarks(found)) notice(remark);
   // What is sent names no folder.
