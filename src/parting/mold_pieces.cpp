@@ -61,7 +61,7 @@ class PieceMaker {
       if (again) made = std::move(again);
     }
     MoldPieces pieces{.halves = made ? std::move(*made) : plain_.wish.plain, .of_inserts = {}, .unmade = {}};
-    put_pins(pieces.halves);
+    pins_instead(pieces.halves);
     pieces.unmade = std::move(unmade_);
     for (MoldBody& body : pieces.halves.inserts) {
       if (!body.blanks.empty()) body.action = blanks_[body.blanks.front()].action;
@@ -77,34 +77,39 @@ class PieceMaker {
 
  private:
   /// Slides that could not be made as blocks are pins, where they are straight.
-  void put_pins(MoldHalves& halves) {
+  void pins_instead(MoldHalves& halves) {
     if (!halves.made()) return;
     std::vector<UnmadeAction> left;
     for (UnmadeAction& unmade : unmade_) {
       const SideAction& action = plain_.wish.plan.actions[unmade.action];
       std::string why = "no pin";
       for (const bool with_skins : {true, false}) {
-        if (why.empty() || !is_slide(action.kind)) continue;
-        const std::optional<BarRoom> room = pin_of(unmade.action, with_skins);
-        if (room) why = put_pin(plain_, unmade.action, *room, halves, progress_);
+        // Where one runs along an edge of a half by rounding, a wider one may not.
+        for (const double fit : {1.0, 1.7}) {
+          if (why.empty() || !is_slide(action.kind)) continue;
+          const std::vector<BarRoom> rooms = pins_of(unmade.action, with_skins, fit);
+          if (!rooms.empty()) why = put_pins(plain_, unmade.action, rooms, halves, progress_);
+        }
       }
       if (!why.empty()) left.push_back(std::move(unmade));
     }
     unmade_ = std::move(left);
   }
 
-  [[nodiscard]] std::optional<BarRoom> pin_of(std::size_t number, bool with_skins) const {
+  [[nodiscard]] std::vector<BarRoom> pins_of(std::size_t number, bool with_skins, double fit) const {
     const glm::dvec3 way = plain_.wish.plain.frame.to_mold(plain_.wish.plan.actions[number].direction);
     PinWish wish{.inserts = {},
                  .formed = {},
                  .beside = false,
                  .way = std::abs(way.z) > k_inclined ? glm::normalize(way) : plain_.way_of(number),
-                 .land = plain_.wish.plain.land / plain_.wish.model.frame.diagonal};
+                 .land = plain_.wish.plain.land / plain_.wish.model.frame.diagonal,
+                 .fit = fit};
     bool alone = true;
     forming(number, wish.inserts, alone);
     wish.beside = !with_skins && alone;
     wish.formed = formed_by(number, wish.inserts, alone && with_skins);
-    return wish.formed.empty() || (!with_skins && !alone) ? std::nullopt : pin_room(plain_.part, wish);
+    if (wish.formed.empty() || (!with_skins && !alone)) return {};
+    return pin_rooms(plain_.part, wish);
   }
 
   /// The bodies between the halves without slides that it forms something of, and whether nothing else does.

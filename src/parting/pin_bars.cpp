@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "mesh/health.hpp"
+#include "mesh/union_find.hpp"
 #include "parting/halves/bodies.hpp"
 #include "parting/halves/depth_columns.hpp"
 #include "parting/mold_files.hpp"
@@ -175,7 +179,7 @@ class PinRoom {
     if (points.size() < 3) return false;
     inner_ = convex_outline(std::move(points));
     if (inner_.size() < 3) return false;
-    sides_ = sides_around(inner_, k_fit);
+    sides_ = sides_around(inner_, wish_.fit * k_fit);
     return is_outline(sides_);
   }
 
@@ -217,6 +221,12 @@ class PinRoom {
   double end_ = 0.0;                   // along the way
 };
 
+void append(const TriangleMesh& solid, TriangleMesh& mesh) {
+  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), solid.vertices.begin(), solid.vertices.end());
+  for (const auto& [a, b, c] : solid.facets) mesh.facets.push_back({a + first, b + first, c + first});
+}
+
 /// The block without the part.
 TriangleMesh steel_of(const PlainMold& plain, const MoldHalves& halves) {
   Bounds block;
@@ -241,35 +251,40 @@ TriangleMesh steel_of(const PlainMold& plain, const MoldHalves& halves) {
 
 class PinPutter {
  public:
-  PinPutter(const PlainMold& plain, const BarRoom& room, const Progress& progress)
-      : plain_(plain), room_(room), progress_(progress) {}
+  PinPutter(const PlainMold& plain, std::span<const BarRoom> rooms, const Progress& progress)
+      : plain_(plain), rooms_(rooms), progress_(progress) {}
 
   std::string put(std::size_t action, MoldHalves& halves) {
     unit_ = plain_.wish.model.frame.diagonal * halves.scale;
     MoldHalves with = halves;
-    auto pin = cut_by_bar(steel_of(plain_, halves), room_, 1.0);
-    if (!pin) return "the block does not close around it";
-    if (pin->inside.facets.empty()) return "nothing of it is left beside the part";
-    if (connected_bodies(pin->inside.vertices.size(), pin->inside.facets).size() != 1)
-      return "its pin is not of one piece";
-    if (std::string why = cut_bodies(with); !why.empty()) return why;
+    const TriangleMesh steel = steel_of(plain_, halves);
+    TriangleMesh pins;
+    for (const BarRoom& room : rooms_) {
+      const auto pin = cut_by_bar(steel, room, 1.0);
+      if (!pin) return "the block does not close around it";
+      if (pin->inside.facets.empty()) return "nothing of it is left beside the part";
+      if (connected_bodies(pin->inside.vertices.size(), pin->inside.facets).size() != 1)
+        return "its pin is not of one piece";
+      if (std::string why = cut_bodies(room, with); !why.empty()) return why;
+      append(pin->inside, pins);
+    }
     // The pin is exact; the halves have walls set upright.
-    const double kept = signed_volume(pin->inside) * std::pow(unit_, 3.0) - taken_;
+    const double kept = signed_volume(pins) * std::pow(unit_, 3.0) - taken_;
     if (std::abs(kept) >
         with.upright_volume + halves.specks_volume + k_most_gap_of_pieces * with.block_volume)
       return "pin, halves and part do not fill the block";
     with.part_volume -= kept;
     with.upright_volume = std::max(0.0, with.upright_volume - kept);
-    const glm::dvec3& way = room_.along;
+    const glm::dvec3& way = rooms_.front().along;
     for (std::size_t k = 0; k < 2 + with.inserts.size(); ++k) {
       const MoldBody& body = k == 0 ? with.core : k == 1 ? with.cavity : with.inserts[k - 2];
-      const WayOut out = way_out(pin->inside, plain_.as_in_part(body.mesh), way, INFINITY, k_way_slack);
+      const WayOut out = way_out(pins, plain_.as_in_part(body.mesh), way, INFINITY, k_way_slack);
       if (out.blocked > k_way_slack)
         return plain_.stands_text(k == 0 ? "the core" : k == 1 ? "the cavity" : "another piece", out.place);
     }
-    const WayOut out = way_out(pin->inside, plain_.part, way, INFINITY, k_way_slack);
+    const WayOut out = way_out(pins, plain_.part, way, INFINITY, k_way_slack);
     if (out.blocked > k_way_slack) return plain_.stands_text("the part", out.place);
-    MoldBody slide = mold_body(std::move(pin->inside), unit_);
+    MoldBody slide = mold_body(std::move(pins), unit_);
     slide.kind = PieceKind::slide;
     slide.action = action;
     slide.name = fmt::format("slide_{}", with.count(PieceKind::slide) + 1);
@@ -287,8 +302,7 @@ class PinPutter {
 
  private:
   /// What is left of a body; nothing where it cannot be divided, itself where the pin does not meet it.
-  [[nodiscard]] std::optional<BarCut> without_pin(const TriangleMesh& body) const {
-    BarRoom room = room_;
+  [[nodiscard]] std::optional<BarCut> without_pin(const TriangleMesh& body, BarRoom room) const {
     for (HalfSpace& side : room.sides) side.offset *= unit_;
     room.end->offset *= unit_;
     return cut_by_bar(body, room, unit_);
@@ -302,10 +316,10 @@ class PinPutter {
     return true;
   }
 
-  std::string cut_bodies(MoldHalves& with) {
+  std::string cut_bodies(const BarRoom& room, MoldHalves& with) {
     for (const std::size_t half : {0U, 1U}) {
       MoldBody body = half == 0 ? with.core : with.cavity;
-      auto cut = without_pin(body.mesh);
+      auto cut = without_pin(body.mesh, room);
       if (!cut) return "its half does not close around it";
       if (cut->inside.facets.empty()) continue;
       taken_ += signed_volume(cut->inside);
@@ -326,7 +340,7 @@ class PinPutter {
     std::vector<WrittenBody> written(with.written.bodies.begin() + 2, with.written.bodies.end());
     with.written.bodies.resize(2);
     for (std::size_t k = 0; k < inserts.size(); ++k) {
-      auto cut = without_pin(inserts[k].mesh);
+      auto cut = without_pin(inserts[k].mesh, room);
       if (!cut) return "what it forms does not close around it";
       if (cut->inside.facets.empty()) {
         with.inserts.push_back(std::move(inserts[k]));
@@ -345,7 +359,7 @@ class PinPutter {
   }
 
   const PlainMold& plain_;
-  const BarRoom& room_;
+  std::span<const BarRoom> rooms_;
   const Progress& progress_;
   double unit_ = 1.0;
   double taken_ = 0.0;  // volume, from halves and inserts
@@ -353,13 +367,53 @@ class PinPutter {
 
 }  // namespace
 
-std::optional<BarRoom> pin_room(const TriangleMesh& part, const PinWish& wish) {
-  return PinRoom(part, wish).run();
+std::vector<BarRoom> pin_rooms(const TriangleMesh& part, const PinWish& wish) {
+  // Holes whose shadows along the way do not meet are apart.
+  const WayFrame frame = frame_along(wish.way);
+  const auto meet = [](const Bounds& a, const Bounds& b) {
+    return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
+  };
+  std::vector<Bounds> shadows;
+  UnionFind one(wish.inserts.size());
+  for (const TriangleMesh* insert : wish.inserts) {
+    Bounds& shadow = shadows.emplace_back();
+    for (const glm::dvec3& vertex : insert->vertices)
+      shadow.add(glm::dvec3(glm::dvec2(frame.of(vertex)), 0.0));
+    const auto last = static_cast<std::uint32_t>(shadows.size() - 1);
+    for (std::uint32_t k = 0; k < last; ++k) {
+      if (meet(shadows[k], shadow)) one.join(k, last);
+    }
+  }
+  std::vector<BarRoom> rooms;
+  for (std::uint32_t first = 0; first < shadows.size(); ++first) {
+    if (one.find(first) != first) continue;
+    PinWish hole{.inserts = {},
+                 .formed = {},
+                 .beside = wish.beside,
+                 .way = wish.way,
+                 .land = wish.land,
+                 .fit = wish.fit};
+    const auto is_in = [&](const glm::dvec3& vertex) {
+      const glm::dvec3 at(glm::dvec2(frame.of(vertex)), 0.0);
+      for (std::uint32_t k = 0; k < shadows.size(); ++k) {
+        if (one.find(k) == first && meet(shadows[k], {at, at})) return true;
+      }
+      return false;
+    };
+    for (std::uint32_t k = 0; k < shadows.size(); ++k) {
+      if (one.find(k) == first) hole.inserts.push_back(wish.inserts[k]);
+    }
+    std::ranges::copy_if(wish.formed, std::back_inserter(hole.formed), is_in);
+    std::optional<BarRoom> room = PinRoom(part, hole).run();
+    if (!room) return {};
+    rooms.push_back(std::move(*room));
+  }
+  return rooms;
 }
 
-std::string put_pin(const PlainMold& plain, std::size_t action, const BarRoom& room, MoldHalves& halves,
-                    const Progress& progress) {
-  return PinPutter(plain, room, progress).put(action, halves);
+std::string put_pins(const PlainMold& plain, std::size_t action, std::span<const BarRoom> rooms,
+                     MoldHalves& halves, const Progress& progress) {
+  return PinPutter(plain, rooms, progress).put(action, halves);
 }
 
 }  // namespace moldlight

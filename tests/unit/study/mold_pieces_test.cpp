@@ -174,8 +174,8 @@ TEST(MoldPieces, ASlideMayLeaveAroundAnEdgeOfTheBlock) {
   }));
 }
 
-/// A plate with three ears and a hole of 20 sides through all of them.
-TriangleMesh hinge_leaf() {
+/// A plate with three ears and holes of 20 sides through all of them.
+TriangleMesh hinge_leaf(const std::vector<double>& at = {15.0}, double radius = 4.0) {
   const test::Loop2 comb = {{0, 0},   {60, 0},  {60, 5}, {58, 5}, {58, 24}, {50, 24}, {50, 5}, {34, 5},
                             {34, 24}, {26, 24}, {26, 5}, {10, 5}, {10, 24}, {2, 24},  {2, 5},  {0, 5}};
   constexpr double k_depth = 30.0;
@@ -187,23 +187,26 @@ TriangleMesh hinge_leaf() {
   }
   solid.face(front);
   solid.face(back);
-  const test::Loop2 circle = test::regular_polygon(20, 4.0, 4.0);
-  const auto hole = [&](double x) {
+  const test::Loop2 circle = test::regular_polygon(20, radius, 4.0);
+  const auto hole = [&](double x, double y) {
     test::Loop loop;
-    for (const glm::dvec2& p : circle) loop.emplace_back(x, 15.0 + p.x, 15.0 + p.y);
+    for (const glm::dvec2& p : circle) loop.emplace_back(x, y + p.x, 15.0 + p.y);
     return loop;
   };
   for (std::size_t k = 0; k < comb.size(); ++k) {
     const glm::dvec2 &a = comb[k], &b = comb[(k + 1) % comb.size()];
     std::vector<test::Loop> holes;
-    if (a.x == b.x && std::max(a.y, b.y) > 20.0) holes = {hole(a.x)};
+    for (const double y : at)
+      if (a.x == b.x && std::max(a.y, b.y) > 20.0) holes.push_back(hole(a.x, y));
     solid.face({{a.x, 0, a.y}, {a.x, k_depth, a.y}, {b.x, k_depth, b.y}, {b.x, 0, b.y}}, holes);
   }
   for (const double x : {2.0, 26.0, 50.0}) {
-    const test::Loop left = hole(x), right = hole(x + 8.0);
-    for (std::size_t k = 0; k < left.size(); ++k) {
-      const std::size_t next = (k + 1) % left.size();
-      solid.face({right[k], right[next], left[next], left[k]});
+    for (const double y : at) {
+      const test::Loop left = hole(x, y), right = hole(x + 8.0, y);
+      for (std::size_t k = 0; k < left.size(); ++k) {
+        const std::size_t next = (k + 1) % left.size();
+        solid.face({right[k], right[next], left[next], left[k]});
+      }
     }
   }
   return solid.mesh();
@@ -234,6 +237,20 @@ TEST(MoldPieces, PinsPassThroughTheSteelInTheGapsOfAHinge) {
     held += against > 0.01 * diagonal ? 1 : 0;
   }
   EXPECT_GE(held, 1U);
+}
+
+/// Holes side by side are those of one slide, a pin each.
+TEST(MoldPieces, PinsOfHolesThatAreApartAreOneSlide) {
+  const TriangleMesh mesh = hinge_leaf({8.0, 22.0}, 3.0);
+  Study study = study_of(mesh);
+  const MoldPieces& pieces = study.find<MoldPieces>(Progress());
+  const std::vector<TriangleMesh> bodies = certified_pieces(mesh, pieces, PieceKind::slide, 2);
+  ASSERT_FALSE(bodies.empty());
+  EXPECT_TRUE(pieces.unmade.empty());
+  std::size_t most = 0;
+  for (const std::size_t k : {3, 4})
+    most = std::max(most, connected_bodies(bodies[k].vertices.size(), bodies[k].facets).size());
+  EXPECT_EQ(most, 2U);
 }
 
 /// An open box with catches inside its wall at y = 0, each 8 wide and 1.5 deep; and a post with one, behind
