@@ -60,6 +60,7 @@ std::string per_cent(double share) {
   return fmt::format(fmt::runtime(share < 0.095 ? "{:.2g}" : "{:.0f}"), 100.0 * share);
 }
 
+constexpr double k_weight_of_rest = 4;  // what nothing releases: more than any one side action
 constexpr double k_least_left = 1e-4;   // of the surface: less is a speck
 constexpr double k_least_climb = 5e-3;  // of the diagonal, by which a line is worse, to be named
 constexpr double k_least_gain = 0.02;   // of surface or diagonal: a reason to turn
@@ -106,7 +107,6 @@ std::vector<Difference> differences(const MoldCost& one, const MoldCost& other) 
 }  // namespace
 
 double mold_effort(const MoldCost& cost) {
-  constexpr double k_weight_of_rest = 4;  // more than any one side action
   const double rest = cost.of(unreleased) > k_least_left ? k_weight_of_rest : 0.0;
   return rest + cost.weight - cost.in_vain + k_effort_of_formed * cost.formed + cost.on_its_side +
          k_effort_of_draft * cost.of(draft) + std::min(k_most_of_line, cost.of(line));
@@ -143,7 +143,8 @@ void settle(std::span<MoldCost> costs) {
     cost.on_its_side = effort_on_its_side(cost.formed, least_formed);
     cost.of(effort) += cost.on_its_side - before;
   }
-  // Of the surface, where a part has to be changed; and where half of it speaks for the other direction.
+  // Of the surface, where a part has to be changed, or changing it saves a heap of side actions; and where
+  // half of it speaks for the other direction.
   constexpr double k_worth_a_tilt = 0.05, k_worth_a_clear_tilt = 0.2, k_clear = 0.5;
   const auto worth = [&](const MoldCost& other) {
     return other.of(support) <= 1.0 - k_clear ? k_worth_a_clear_tilt : k_worth_a_tilt;
@@ -153,8 +154,10 @@ void settle(std::span<MoldCost> costs) {
     if (cost.canonical)
       return other.of(support) < cost.of(support) - mold_band(support) &&
              line_angle_deg(other.direction, cost.direction) <= k_beside_deg && costs_no_more(other, cost);
-    return costs_no_more(other, cost) || (cost.of(unreleased) > mold_band(unreleased) &&
-                                          other.of(unreleased) <= cost.of(unreleased) + worth(other));
+    const bool changed =
+        cost.of(unreleased) > mold_band(unreleased) || cost.weight >= other.weight + k_weight_of_rest;
+    return costs_no_more(other, cost) ||
+           (changed && other.of(unreleased) <= cost.of(unreleased) + worth(other));
   };
   for (MoldCost& cost : costs) {
     const bool beaten = std::ranges::any_of(costs, [&](const MoldCost& other) { return beats(other, cost); });

@@ -168,6 +168,25 @@ TEST(MoldRank, APartThatHasToBeChangedIsNotTilted) {
   EXPECT_EQ(order(costs), (Numbers{0, 1})) << "it releases everything";
 }
 
+TEST(MoldRank, APartIsNotTiltedForAHeapOfSideActions) {
+  // All is released by five slides, a lifter and a loose insert where the mold is tilted.
+  MoldCost axis = cost({{unreleased, 0.034}, {support, 0.7}}), tilted = cost({});
+  axis.canonical = true;
+  axis.weight = 4.0;
+  tilted.direction = {0.08, 0.0, 0.997};
+  for (const double weight : {7.5, 9.2}) {
+    tilted.weight = weight;
+    std::vector<MoldCost> costs = {axis, tilted};
+    settle(costs);
+    EXPECT_EQ(costs[1].of(found), weight > 8.0 ? 1.0 : 0.0) << weight;
+  }
+  // More than a twentieth of the surface is no small change.
+  axis.of(unreleased) = 0.08;
+  std::vector<MoldCost> costs = {axis, tilted};
+  settle(costs);
+  EXPECT_EQ(costs[1].of(found), 0.0);
+}
+
 TEST(MoldRank, CostIsWhatNothingReleasesAndSideActions) {
   EXPECT_TRUE(costs_no_more(cost({{line, 0.9}, {effort, 3.0}}), {})) << "by the weight alone";
   EXPECT_TRUE(costs_no_more(of_weight(1.0, true), of_weight(1.2, true)));
