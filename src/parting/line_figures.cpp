@@ -54,7 +54,8 @@ std::string parting_verdict(const Assignment& assignment, const PartingLine& lin
   } of_outer, of_shut_offs;
   for (const PartingLoop& loop : line.loops) {
     if (loop.kind == LoopKind::action) continue;
-    (loop.kind == LoopKind::outer ? outer : shut_offs) += 1;
+    outer += loop.kind == LoopKind::outer ? 1 : 0;
+    shut_offs += loop.kind == LoopKind::outer || loop.tiny ? 0 : 1;
     if (loop.kind == LoopKind::outer) {
       flatness = std::max(flatness, loop.flatness);
       up_and_down += loop.up_and_down;

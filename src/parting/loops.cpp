@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -282,6 +283,13 @@ std::string_view loop_name(LoopKind kind) {
   return "action";
 }
 
+bool is_tiny(const PartingLoop& loop, double lateral_tolerance) {
+  constexpr double k_short = 8.0;  // tolerances
+  return loop.length <= std::numbers::pi * lateral_tolerance ||
+         (loop.length <= k_short * lateral_tolerance && loop.climb() <= lateral_tolerance &&
+          std::abs(loop.area) <= lateral_tolerance * lateral_tolerance);
+}
+
 PartingLine parting_line(const Assignment& a) {
   PartingLine line;
   line.euler = euler_check(a);
@@ -311,6 +319,7 @@ PartingLine parting_line(const Assignment& a) {
     if (greatest == nullptr || std::abs(loop.area) > std::abs(greatest->area)) greatest = &loop;
   }
   for (const auto& [body, loop] : outer) loop->kind = LoopKind::outer;
+  for (PartingLoop& loop : line.loops) loop.tiny = is_tiny(loop, a.lateral);
   std::ranges::stable_sort(line.loops, [](const PartingLoop& x, const PartingLoop& y) {
     return x.kind != y.kind ? x.kind < y.kind : x.length > y.length;
   });

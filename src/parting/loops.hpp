@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 #include "parting/assignment.hpp"
@@ -32,6 +31,7 @@ struct PartingLoop {
   double sharpest_deg = 180.0;   // the least angle between neighbouring edges
   double on_crease = 0.0;        // share of its length
   double area = 0.0;             // of its projection, positive where the core lies inside of it
+  bool tiny = false;             // by is_tiny()
   std::size_t breaks = 0;        // runs where a side action takes the place of the other half
   double break_length = 0.0;
   std::size_t moved = 0;         // points that smoothing moved
@@ -39,11 +39,11 @@ struct PartingLoop {
   double smoothed_climb = 0.0;   // by which up_and_down became less
 
   [[nodiscard]] double climb() const { return high - low; }
-  /// No longer than a circle as wide as the lateral tolerance: tables have one row for all of these.
-  [[nodiscard]] bool tiny(double lateral_tolerance) const {
-    return length <= std::numbers::pi * lateral_tolerance;
-  }
 };
+
+/// Whether a loop is no wider than the lateral tolerance, by its length, or by its area and height where it
+/// is short: rounding alone makes it one. Tables have one row for all of these.
+[[nodiscard]] bool is_tiny(const PartingLoop& loop, double lateral_tolerance);
 
 /// Euler characteristics, exact. A side's surface counts with its border; where the surface of a side touches
 /// itself in a vertex, it counts as apart there.

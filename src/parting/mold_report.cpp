@@ -97,8 +97,10 @@ std::string made_text(const MoldReport& report) {
   const auto rises = [&](double by, std::string_view level, std::string_view what) {
     return by <= flat ? std::string(level) : fmt::format("{} rises by {}", what, length(by));
   };
-  const auto shut_offs = static_cast<std::size_t>(std::ranges::count_if(
-      report.line.loops, [](const PartingLoop& loop) { return loop.kind == LoopKind::shut_off; }));
+  const auto shut_offs =
+      static_cast<std::size_t>(std::ranges::count_if(report.line.loops, [](const PartingLoop& loop) {
+        return loop.kind == LoopKind::shut_off && !loop.tiny;
+      }));
   std::string text =
       fmt::format("{}, {}, {}", shut_offs == 0 ? std::string("no shut-off") : plural(shut_offs, "shut-off"),
                   rises(surface.high - surface.low, "planar parting surface", "parting surface"),

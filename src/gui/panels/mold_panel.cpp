@@ -107,10 +107,9 @@ void draw_loops(const PanelContext& context, RowCursor& cursor) {
   const Ui& ui = context.ui;
   const AppState& state = context.state;
   const std::vector<PartingLoop>& all = state.mold.line->line.loops;
-  const double tolerance = lateral_tolerance(state.settings.method, state.model->frame.diagonal);
   std::vector<std::size_t> shown;
   for (std::size_t k = 0; k < all.size(); ++k)
-    if (!all[k].tiny(tolerance)) shown.push_back(k);
+    if (!all[k].tiny) shown.push_back(k);
   const ChoiceTable loops{
       .list = {.id = "loops", .count = shown.size(), .row_height = k_loop_row, .share = k_loops_share},
       .row = "loop",

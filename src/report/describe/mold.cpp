@@ -61,11 +61,10 @@ Section line_section(const ReportContext& context, const MoldReport& found) {
   Table table{{{"#"}, {"loop", true}}, {}};
   std::vector<std::size_t> listed;
   add_columns(style, loop_figures(), table);
-  const double tolerance = lateral_tolerance(found.query.method, found.model.frame.diagonal);
   std::size_t tiny = 0;
   for (std::size_t k = 0; k < line.loops.size(); ++k) {
-    tiny += line.loops[k].tiny(tolerance);
-    if (line.loops[k].tiny(tolerance) || table.rows.size() == k_most_loops) continue;
+    tiny += line.loops[k].tiny;
+    if (line.loops[k].tiny || table.rows.size() == k_most_loops) continue;
     Row row{{{fmt::format("{}", k + 1)}, {std::string(loop_name(line.loops[k].kind))}}};
     add_cells(style, found_figures(loop_figures(), line.loops[k]), fmt::format("/loops/{}", k), row);
     if (listed.size() < k_most_pictured_loops) {

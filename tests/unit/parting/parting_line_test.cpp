@@ -57,10 +57,17 @@ void expect_loops(const Found& found, std::size_t shut_offs) {
 
 TEST(PartingLine, IsTinyUpToACircleAsWideAsTheTolerance) {
   PartingLoop loop;
+  loop.area = 0.003;
   loop.length = 0.157;
-  EXPECT_TRUE(loop.tiny(0.05));
+  EXPECT_TRUE(is_tiny(loop, 0.05));
   loop.length = 0.158;
-  EXPECT_FALSE(loop.tiny(0.05));
+  EXPECT_FALSE(is_tiny(loop, 0.05));
+  // A short sliver is as little of a shut-off, unless it is a window in a wall.
+  loop.area = -0.002;
+  loop.length = 0.3;
+  EXPECT_TRUE(is_tiny(loop, 0.05));
+  loop.high = 0.06;
+  EXPECT_FALSE(is_tiny(loop, 0.05));
 }
 
 TEST(PartingLine, OfABoxGoesOnceAroundIt) {
