@@ -19,9 +19,11 @@ namespace moldlight {
 
 namespace {
 
-constexpr std::size_t k_few_boxes = 64;          // boxes that are asked pair by pair
-constexpr double k_most_growth = 1.4;            // of their number, where a plane divides them
+constexpr std::size_t k_few_rims = 64;           // rims that are asked pair by pair
+constexpr double k_most_growth = 1.7;            // of their number, where a plane divides them
+constexpr int k_most_divisions = 60;             // one after the other
 constexpr std::size_t k_pairs_between = 10'000;  // two looks at whether to go on
+constexpr double k_cell_rounding = 1e-12;        // of the greatest coordinate
 
 bool overlap(const Bounds& a, const Bounds& b) {
   for (int axis = 0; axis < 3; ++axis)
@@ -29,94 +31,134 @@ bool overlap(const Bounds& a, const Bounds& b) {
   return true;
 }
 
-/// Pairs of boxes that overlap: boxes are divided by planes, those that reach over a plane on both of its
-/// sides, until few are left, or as many as before.
-class OverlappingPairs {
+/// Finds pairs of polygons whose rims may come as near to each other as both reach: planes divide space, with
+/// what of each rim is on either side, until few are left in a cell, or as many as before. So rims as long as
+/// the part meet only what is beside them.
+class NearRims {
  public:
-  /// Calls visit(a, b), once a pair; `kinds`, where there are any: of pairs of one kind none
-  /// matters.
-  OverlappingPairs(std::span<const Bounds> boxes, std::span<const char> kinds,
-                   const std::function<void(std::uint32_t, std::uint32_t)>& visit, const Progress& progress)
-      : boxes_(boxes), kinds_(kinds), visit_(visit), progress_(progress) {
-    std::vector<std::uint32_t> all;
-    for (std::uint32_t k = 0; k < boxes.size(); ++k)
-      if (boxes[k].min.x <= boxes[k].max.x) all.push_back(k);
-    divide(std::move(all), {});
+  /// Calls visit(a, b) once or more a pair; `kinds`, where there are any: of pairs of one kind none matters.
+  NearRims(std::span<const ReachingPolygon> polygons, std::span<const char> kinds,
+           const std::function<void(std::uint32_t, std::uint32_t)>& visit, const Progress& progress)
+      : polygons_(polygons), kinds_(kinds), visit_(visit), progress_(progress) {
+    constexpr double k_infinity = std::numeric_limits<double>::infinity();
+    const Bounds everywhere{glm::dvec3(-k_infinity), glm::dvec3(k_infinity)};
+    std::vector<Rim> all;
+    for (std::uint32_t k = 0; k < polygons.size(); ++k)
+      for (const glm::dvec3& corner : *polygons[k].polygon)
+        for (int axis = 0; axis < 3; ++axis)
+          rounding_ = std::max(rounding_, k_cell_rounding * std::abs(corner[axis]));
+    for (std::uint32_t k = 0; k < polygons.size(); ++k) add(k, everywhere, all);
+    divide(std::move(all), everywhere, 0);
   }
 
  private:
-  /// Where what two boxes share begins, for pairs that are asked here.
-  struct Begin {
-    glm::dvec3 from{-std::numeric_limits<double>::infinity()}, below{std::numeric_limits<double>::infinity()};
+  /// What of a polygon's rim is in a cell, with its reach.
+  struct Rim {
+    std::uint32_t polygon;
+    Bounds box;
   };
 
-  void divide(std::vector<std::uint32_t> some, const Begin& begin) {
-    const auto is_first_kind = [&](std::uint32_t k) { return kinds_[k] == kinds_[some.front()]; };
+  void add(std::uint32_t polygon, const Bounds& cell, std::vector<Rim>& rims) const {
+    const ConvexPolygon& corners = *polygons_[polygon].polygon;
+    const double reach = polygons_[polygon].reach + rounding_;
+    Rim rim{polygon, {}};
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const glm::dvec3 &from = corners[k], along = corners[(k + 1) % corners.size()] - from;
+      double first = 0.0, last = 1.0;
+      for (int axis = 0; axis < 3; ++axis) {
+        double enters = cell.min[axis] - reach - from[axis], leaves = cell.max[axis] + reach - from[axis];
+        if (along[axis] == 0.0) {
+          if (enters > 0.0 || leaves < 0.0) last = -1.0;
+          continue;
+        }
+        enters /= along[axis];
+        leaves /= along[axis];
+        first = std::max(first, std::min(enters, leaves));
+        last = std::min(last, std::max(enters, leaves));
+      }
+      if (first > last) continue;
+      rim.box.add(from + first * along);
+      rim.box.add(from + last * along);
+    }
+    if (rim.box.min.x > rim.box.max.x) return;
+    rim.box.min -= reach;
+    rim.box.max += reach;
+    rims.push_back(rim);
+  }
+
+  void divide(std::vector<Rim> some, const Bounds& cell, int divisions) {
+    const auto is_first_kind = [&](const Rim& rim) {
+      return kinds_[rim.polygon] == kinds_[some.front().polygon];
+    };
     if (some.empty() || (!kinds_.empty() && std::ranges::all_of(some, is_first_kind))) return;
+    if (progress_.cancelled()) throw Cancelled();
     for (const int axis : {0, 1, 2}) {
-      if (some.size() <= k_few_boxes) break;
+      if (some.size() <= k_few_rims || divisions >= k_most_divisions) break;
       const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
-      const auto centre = [&](std::uint32_t k) { return boxes_[k].min[axis] + boxes_[k].max[axis]; };
+      const auto centre = [&](const Rim& rim) { return rim.box.min[axis] + rim.box.max[axis]; };
       std::ranges::nth_element(some, middle, {}, centre);
       const double at = 0.5 * centre(*middle);
-      std::vector<std::uint32_t> below, above;
-      for (const std::uint32_t k : some) {
-        if (boxes_[k].min[axis] < at) below.push_back(k);
-        if (boxes_[k].max[axis] >= at) above.push_back(k);
-      }
-      if (static_cast<double>(below.size() + above.size()) >
-              k_most_growth * static_cast<double>(some.size()) ||
-          std::max(below.size(), above.size()) == some.size())
+      const auto is_below = [&](const Rim& rim) { return rim.box.max[axis] < at; };
+      const auto is_above = [&](const Rim& rim) { return rim.box.min[axis] >= at; };
+      const auto below_alone = std::ranges::count_if(some, is_below),
+                 above_alone = std::ranges::count_if(some, is_above);
+      const auto count = static_cast<std::ptrdiff_t>(some.size());
+      if (static_cast<double>(2 * count - below_alone - above_alone) >
+              k_most_growth * static_cast<double>(count) ||
+          below_alone == 0 || above_alone == 0)
         continue;
+      Bounds low = cell, high = cell;
+      low.max[axis] = high.min[axis] = at;
+      std::vector<Rim> below, above;
+      for (const Rim& rim : some) {
+        if (is_below(rim)) {
+          below.push_back(rim);
+        } else if (is_above(rim)) {
+          above.push_back(rim);
+        } else {
+          add(rim.polygon, low, below);
+          add(rim.polygon, high, above);
+        }
+      }
       some = {};
-      Begin low = begin, high = begin;
-      low.below[axis] = high.from[axis] = at;
-      divide(std::move(below), low);
-      divide(std::move(above), high);
+      divide(std::move(below), low, divisions + 1);
+      divide(std::move(above), high, divisions + 1);
       return;
     }
-    ask(some, begin);
+    ask(some);
   }
 
-  void ask(std::vector<std::uint32_t>& some, const Begin& begin) {
-    std::ranges::sort(some, {}, [&](std::uint32_t k) { return std::pair(boxes_[k].min.x, k); });
+  void ask(std::vector<Rim>& some) {
+    std::ranges::sort(some, {}, [](const Rim& rim) { return std::pair(rim.box.min.x, rim.polygon); });
     for (std::size_t i = 0; i < some.size(); ++i) {
-      const std::uint32_t a = some[i];
-      for (std::size_t k = i + 1; k < some.size() && boxes_[some[k]].min.x <= boxes_[a].max.x; ++k) {
-        const std::uint32_t b = some[k];
+      const Rim& a = some[i];
+      for (std::size_t k = i + 1; k < some.size() && some[k].box.min.x <= a.box.max.x; ++k) {
+        const Rim& b = some[k];
         if (++asked_ % k_pairs_between == 0 && progress_.cancelled()) throw Cancelled();
-        if ((!kinds_.empty() && kinds_[a] == kinds_[b]) || !overlap(boxes_[a], boxes_[b])) continue;
-        const glm::dvec3 at = glm::max(boxes_[a].min, boxes_[b].min);
-        if (glm::all(glm::lessThanEqual(begin.from, at)) && glm::all(glm::lessThan(at, begin.below)))
-          visit_(a, b);
+        if ((kinds_.empty() || kinds_[a.polygon] != kinds_[b.polygon]) && overlap(a.box, b.box))
+          visit_(a.polygon, b.polygon);
       }
     }
   }
 
-  std::span<const Bounds> boxes_;
+  std::span<const ReachingPolygon> polygons_;
   std::span<const char> kinds_;
   const std::function<void(std::uint32_t, std::uint32_t)>& visit_;
   const Progress& progress_;
+  double rounding_ = 0.0;
   std::size_t asked_ = 0;
 };
 
-/// Calls `touch` for pairs whose rims come as near to each other as `reach` says, which is asked first and is
-/// negative for pairs that do not matter, and at most the sum of theirs; in an order that depends on the
-/// polygons alone. `kinds` as of OverlappingPairs. Throws Cancelled.
+/// Calls `touch`, once or more, for pairs whose rims come as near to each other as `reach` says, which is
+/// asked first and is negative for pairs that do not matter, and at most the sum of theirs. `kinds` as of
+/// NearRims. Throws Cancelled.
 void visit_touching(const std::vector<ReachingPolygon>& polygons, std::span<const char> kinds,
                     const std::function<double(std::uint32_t, std::uint32_t)>& reach,
                     const std::function<void(std::uint32_t, std::uint32_t)>& touch,
                     const Progress& progress) {
   progress.report("finding what changed", 0.0);
-  std::vector<Bounds> boxes(polygons.size());
-  for (std::uint32_t k = 0; k < polygons.size(); ++k) {
-    if (polygons[k].polygon->empty()) continue;
-    for (const glm::dvec3& corner : *polygons[k].polygon) boxes[k].add(corner);
-    boxes[k].min -= polygons[k].reach;
-    boxes[k].max += polygons[k].reach;
-  }
-  OverlappingPairs(
-      boxes, kinds,
+  NearRims(
+      polygons, kinds,
       [&](std::uint32_t a, std::uint32_t b) {
         const double within = reach(a, b);
         if (within >= 0.0 && rims_touch(*polygons[a].polygon, *polygons[b].polygon, within)) touch(a, b);

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <iterator>
 #include <mutex>
+#include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -29,6 +31,8 @@ constexpr int k_most_halvings = 24, k_most_search_halvings = 8;
 /// Halvings one after the other that leave as much near: of needles as long as the part, all are near
 /// everywhere.
 constexpr int k_most_useless = 6;
+constexpr std::string_view k_remedy =
+    "unite the bodies of each (--repair union), take one of them (--body), or raise --effort";
 
 struct PieceOverlay {
   std::vector<PieceShare> shares;
@@ -64,9 +68,7 @@ class LayingWork {
   explicit LayingWork(std::uint64_t most) : most_(most) {}
   void add(std::uint64_t looks) {
     if ((done_ += looks) > most_)
-      throw Error(
-          "too much surface lies at each place to compare the parts; unite the bodies of each "
-          "(--repair union), take one of them (--body), or raise --effort");
+      throw Error(fmt::format("too much surface lies at each place to compare the parts; {}", k_remedy));
   }
   [[nodiscard]] std::uint64_t done() const { return done_; }
 
@@ -330,8 +332,15 @@ Overlay lay_on(const OverlaySide& side, const OverlaySide& onto, const OverlayTo
   std::mutex mutex;
   std::size_t done = 0;
   constexpr double k_always_looks = 2e7, k_looks_a_facet = 3000.0;  // real parts take up to 1000
+  constexpr double k_always_pieces = 1e5, k_pieces_a_facet = 8.0;   // real parts have up to 3
   const double effort = std::max({1.0, side.model().part.effort, onto.model().part.effort});
-  const std::size_t facets = side.model().part.mesh.facets.size() + onto.model().part.mesh.facets.size();
+  const std::size_t facets = side.model().part.mesh.facets.size() + onto.model().part.mesh.facets.size(),
+                    pieces = side.count() + onto.count();
+  if (static_cast<double>(pieces) >
+      effort * (k_always_pieces + k_pieces_a_facet * static_cast<double>(facets)))
+    throw Error(
+        fmt::format("the surface of the parts is in {} pieces by what hides it, too many to compare; {}",
+                    pieces, k_remedy));
   LayingWork work(
       static_cast<std::uint64_t>(effort * (k_always_looks + k_looks_a_facet * static_cast<double>(facets))));
   std::vector<PieceOverlay> results(blocks);

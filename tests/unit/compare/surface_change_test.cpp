@@ -27,6 +27,26 @@ TEST(SurfaceChange, TooMuchInOnePlaceIsRefused) {
   }
 }
 
+/// Needles as long as the part, of which each is hidden by nearly all in places.
+TEST(SurfaceChange, InTooManyPiecesIsRefused) {
+  test::Random random(12);
+  TriangleMesh needles;
+  for (VertexIndex k = 0; k < 3 * 3000; k += 3) {
+    const glm::dvec3 from = random.in_cube(1.0), along = 2.0 * random.in_cube(1.0);
+    for (const glm::dvec3& corner : {from, from + along, from + 0.5 * along + 1e-3 * random.in_cube(1.0)})
+      needles.vertices.push_back(corner);
+    needles.facets.push_back({k, k + 1, k + 2});
+  }
+  try {
+    static_cast<void>(laid(needles, plate_mesh({})));
+    ADD_FAILURE() << "laid";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string_view(error.what()).find("pieces by what hides it"), std::string_view::npos)
+        << error.what();
+    EXPECT_NE(std::string_view(error.what()).find("or raise --effort"), std::string_view::npos);
+  }
+}
+
 TEST(SurfaceChange, OfTheSamePartIsNone) {
   const TriangleMesh mesh = plate_mesh({.hole_radius = 3.0});
   const Laid pair = laid(mesh, test::permuted(mesh, 7));
