@@ -30,7 +30,7 @@ Json volume_json(const MeasuredVolume& measured) {
   return {{"volume", measured.volume}, {"error", measured.error}};
 }
 
-Json steel_json(const Comparison& comparison, const std::optional<SteelChange>& steel, bool is_cut) {
+Json steel_json(const Comparison& comparison, const std::optional<SteelChange>& steel) {
   if (!steel) return {};
   Json json = volume_json(steel->volume);
   json["area"] = steel->area;
@@ -38,7 +38,7 @@ Json steel_json(const Comparison& comparison, const std::optional<SteelChange>& 
   json["centre"] = point_json(steel->centre);
   json["of"] = Json::array();
   for (const auto& [owner, area] : steel->of)
-    json["of"].push_back({{"name", steel_owner_text(comparison, owner, is_cut)}, {"area", area}});
+    json["of"].push_back({{"name", steel_owner_text(comparison, owner)}, {"area", area}});
   return json;
 }
 
@@ -72,8 +72,8 @@ Json places_json(const Comparison& comparison) {
                     {"volume", closed ? Json(place.volume.volume) : Json()},
                     {"volume_error", closed ? Json(place.volume.error) : Json()},
                     {"joined", place.joined},
-                    {"steel_to_cut", steel_json(comparison, steel.cut, true)},
-                    {"steel_to_add", steel_json(comparison, steel.add, false)},
+                    {"steel_to_cut", steel_json(comparison, steel.cut)},
+                    {"steel_to_add", steel_json(comparison, steel.add)},
                     {"centre", point_json(place.centre)},
                     {"bounds", bounds_json(place.bounds)}});
   }

@@ -266,20 +266,20 @@ Comparison compare_revisions(const std::shared_ptr<const PartModel>& a,
   return comparison;
 }
 
-std::string steel_owner_text(const Comparison& comparison, const SteelOwner& owner, bool is_cut) {
+std::string steel_owner_text(const Comparison& comparison, const SteelOwner& owner) {
   if (owner.side != MoldSide::action) return std::string(side_name(owner.side));
-  const std::optional<ActionPlan>& plan = (is_cut ? comparison.a : comparison.b).plan;
+  const std::optional<ActionPlan>& plan = (owner.of_b ? comparison.b : comparison.a).plan;
   if (!owner.action || !plan) return "side action";
   return action_title(*plan, *owner.action);
 }
 
-std::string steel_of_text(const Comparison& comparison, const SteelChange& steel, bool is_cut) {
+std::string steel_of_text(const Comparison& comparison, const SteelChange& steel) {
   constexpr double k_least_share = 0.05;
   double whole = 0.0;
   for (const OwnedArea& one : steel.of) whole += one.area;
   std::vector<std::string> names;
   for (const OwnedArea& one : steel.of)
-    if (one.area >= k_least_share * whole) names.push_back(steel_owner_text(comparison, one.owner, is_cut));
+    if (one.area >= k_least_share * whole) names.push_back(steel_owner_text(comparison, one.owner));
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
@@ -294,7 +294,7 @@ std::string mold_change_text(const Comparison& comparison, const MoldChange& mol
     added.push_back(fmt::format(
         "{}{} {} at ({}) {}, {}", style.text(FigureKind::volume, place.add->volume.volume),
         seen_error(place.add->volume), style.unit(FigureKind::volume), style.point(place.add->centre),
-        length_unit(comparison.a.model->part), steel_of_text(comparison, *place.add, false)));
+        length_unit(comparison.a.model->part), steel_of_text(comparison, *place.add)));
   }
   const std::size_t named = std::min(added.size(), k_most_named), count = added.size();
   std::string text = cuts + count == 0 ? "No steel of the mold changes."

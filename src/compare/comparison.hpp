@@ -89,10 +89,9 @@ struct CompareQuestion {
                                            const CompareQuestion& question, const Progress& progress);
 
 /// "core", "slide 1": who has steel that is cut, in A's mold, or that is added.
-[[nodiscard]] std::string steel_owner_text(const Comparison& comparison, const SteelOwner& owner,
-                                           bool is_cut);
+[[nodiscard]] std::string steel_owner_text(const Comparison& comparison, const SteelOwner& owner);
 /// Of all that have some, "core and slide 1".
-[[nodiscard]] std::string steel_of_text(const Comparison& comparison, const SteelChange& steel, bool is_cut);
+[[nodiscard]] std::string steel_of_text(const Comparison& comparison, const SteelChange& steel);
 /// Whether the mold of A survives: "Steel is cut at 3 places. Steel is added at 1 place: 12.4 mm³ at (1, 2,
 /// 3) mm, cavity."
 [[nodiscard]] std::string mold_change_text(const Comparison& comparison, const MoldChange& mold);

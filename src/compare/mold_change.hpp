@@ -13,10 +13,11 @@
 
 namespace moldlight {
 
-/// A half, or a side action by its number in its plan; none where it is not known which.
+/// A half, or a side action by its number in the plan of its part; none where it is not known which.
 struct SteelOwner {
   MoldSide side = MoldSide::core;
   std::optional<std::size_t> action = {};
+  bool of_b = false;  // in the mold of B
 
   auto operator<=>(const SteelOwner&) const = default;
 };
@@ -27,12 +28,13 @@ struct OwnedArea {
 
 /// Steel of one place that is all cut, or all added. In the part's unit.
 struct SteelChange {
-  MeasuredVolume volume;      // > 0
-  double area = 0.0;          // of the new part's surface there
-  double depth = 0.0;         // how far it reaches along the parting direction
-  glm::dvec3 centre{0.0};     // of the volume
-  std::vector<OwnedArea> of;  // the steel's surface: of A's mold where it is cut, of B's where it is added;
-                              // the largest first
+  MeasuredVolume volume;   // > 0
+  double area = 0.0;       // of the new part's surface there
+  double depth = 0.0;      // how far it reaches along the parting direction
+  glm::dvec3 centre{0.0};  // of the volume
+  // The steel's surface, of A's mold where it is cut, of B's where it is added; of a body of its own, which
+  // no steel touches yet, what the other mold forms of it. The largest first.
+  std::vector<OwnedArea> of;
 };
 struct PlaceSteel {
   std::optional<SteelChange> cut, add;

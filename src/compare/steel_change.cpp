@@ -184,7 +184,7 @@ class BitFinder {
   }
 
   [[nodiscard]] SteelOwner owner_of(PieceIndex piece, const LeftOver& left) const {
-    SteelOwner owner{own_.assignment.sides[piece]};
+    SteelOwner owner{own_.assignment.sides[piece], {}, of_b_};
     if (owner.side != MoldSide::action || own_.plan == nullptr) return owner;
     const std::int32_t action = own_.plan->action_of_piece[left.piece];
     if (action >= 0) owner.action = static_cast<std::size_t>(action);

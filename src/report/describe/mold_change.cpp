@@ -44,7 +44,7 @@ class MoldChangeDescriber {
         const std::string key = fmt::format("/places/{}/steel_to_{}/", k, is_cut ? "cut" : "add");
         table.rows.push_back({{{fmt::format("{}", k + 1)},
                                {is_cut ? "cut" : "add"},
-                               {steel_of_text(comparison_, *steel, is_cut)},
+                               {steel_of_text(comparison_, *steel)},
                                volume(steel->volume, key + "volume"),
                                {error(steel->volume)},
                                number(style_, FigureKind::area, key + "area", steel->area),

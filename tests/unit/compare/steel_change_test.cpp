@@ -5,6 +5,8 @@
 #include "compare/comparison.hpp"
 #include "compare/mold_change.hpp"
 #include "mesh/health.hpp"
+#include "support/boxes.hpp"
+#include "support/curved_solids.hpp"
 #include "unit/compare/revisions.hpp"
 
 namespace moldlight {
@@ -60,6 +62,30 @@ TEST(SteelChange, IsNotAskedForWhereRegionsAreSampled) {
   EXPECT_EQ(found.surface.places.size(), 1U);
 }
 
+/// A has no side action; those of B's mold form the bore of the tube.
+TEST(SteelChange, OfABodyOfItsOwnIsNamedByItsOwnMold) {
+  const auto model_of = [](TriangleMesh mesh) {
+    Part part;
+    part.mesh = std::move(mesh);
+    part.bodies = {{"", 0, static_cast<FacetIndex>(part.mesh.facets.size())}};
+    return prepare_part(std::move(part), Progress());
+  };
+  const TriangleMesh box = test::box_mesh({0, 0, 0}, {20, 20, 20});
+  const TriangleMesh tube = test::tube_mesh(
+      {.centres = {{60, 0, 0}, {60, 0, 20}}, .radius = 8.0, .inner_radius = 4.0, .normal = {1, 0, 0}});
+  const Comparison found = compare_revisions(
+      model_of(box), model_of(test::joined(box, tube)),
+      {.choice = CompareDirection::given, .direction = glm::dvec3(1, 0, 0), .method = {}, .settings = {}},
+      Progress());
+  ASSERT_TRUE(found.a.plan->actions.empty());
+  ASSERT_FALSE(found.b.plan->actions.empty());
+  ASSERT_TRUE(found.mold && found.mold->places.size() == 1U && found.mold->places.front().cut);
+  const SteelChange& cut = *found.mold->places.front().cut;
+  for (const OwnedArea& one : cut.of) EXPECT_TRUE(one.owner.of_b);
+  EXPECT_NE(steel_of_text(found, cut).find(action_title(*found.b.plan, 0)), std::string::npos)
+      << steel_of_text(found, cut);
+}
+
 TEST(SteelChange, CutsWhereARibGrows) {
   const TriangleMesh a = plate_mesh({.rib = 2.0}), b = plate_mesh({.rib = 3.0});
   const Steel steel = steel_of(a, b);
@@ -90,7 +116,9 @@ TEST(SteelChange, AddsWhereItShrinksByAsMuch) {
   const SteelChange &cut = *forth.places.front().cut, &add = *back.places.front().add;
   EXPECT_NEAR(add.volume.volume, cut.volume.volume, exact(cut.volume.volume));
   EXPECT_NEAR(glm::distance(add.centre, cut.centre), 0.0, 1e-9);
-  EXPECT_EQ(add.of.front().owner, cut.of.front().owner);
+  EXPECT_EQ(add.of.front().owner.side, cut.of.front().owner.side);
+  EXPECT_FALSE(cut.of.front().owner.of_b);
+  EXPECT_TRUE(add.of.front().owner.of_b);
   EXPECT_NEAR(add.depth, cut.depth, 1e-9);
 }
 
