@@ -332,10 +332,21 @@ std::shared_ptr<const PartModel> solid_model(TriangleMesh mesh) {
   auto model = std::make_shared<PartModel>();
   turn_if_inside_out(mesh);
   model->part.mesh = std::move(mesh);
+  model->part.mesh.vertices.shrink_to_fit();
+  model->part.mesh.facets.shrink_to_fit();
   model->health.volume = signed_volume(model->part.mesh);
   model->health.bounds = bounds(model->part.mesh);
   model->frame = unit_frame(model->health.bounds);
   return model;
+}
+
+/// The same without its search tree, which takes more than the solid and is made again where it is asked for.
+void forget_rays(PlayedBody& body) {
+  auto model = std::make_shared<PartModel>();
+  model->part.mesh = body.model->part.mesh;
+  model->health = body.model->health;
+  model->frame = body.model->frame;
+  body.model = std::move(model);
 }
 
 void append(const TriangleMesh& solid, TriangleMesh& mesh) {
@@ -372,8 +383,9 @@ struct BodyPlayer::Shape {
   std::optional<BodyShaper> shaper = {};
   std::deque<PlayedBody> solids = {};  // each half as thick as the one before
   std::deque<std::deque<PlayedBody>> former =
-      {};             // before some of their surface was left out; known to others
-  bool done = false;  // there is no thinner one
+      {};              // before some of their surface was left out; known to others
+  bool done = false;   // there is no thinner one
+  bool rests = false;  // it is none of the plan's
   std::vector<std::pair<TriangleMesh, SurfacePoints>> stems = {};  // however thin it is
 
   /// The body of an action, so thin; null where there is none.
@@ -407,6 +419,12 @@ struct BodyPlayer::Shape {
     return &solid;
   }
 
+  /// Of all bodies but one.
+  void forget_rays_but(const PlayedBody* kept) {
+    for (PlayedBody& solid : solids)
+      if (&solid != kept) forget_rays(solid);
+  }
+
   /// Leaves the surface out at which a body hits the part; false where that is too much.
   bool leave_out(std::span<const glm::dvec3> points) {
     if (!shaper->leave_out(points)) return false;
@@ -436,6 +454,11 @@ void BodyPlayer::measure(ActionPlan& plan, bool fine) {
     if (const std::int32_t its = plan.action_of_piece[piece]; its >= 0)
       pieces[static_cast<std::size_t>(its)].push_back(piece);
   for (std::size_t k = 0; k < plan.actions.size(); ++k) shapes.push_back(&known_[key_of(plan, k, pieces[k])]);
+  for (auto& [key, shape] : known_) {
+    const bool rests = std::ranges::find(shapes, &shape) == shapes.end();
+    if (rests && !shape.rests) shape.forget_rays_but(nullptr);
+    shape.rests = rests;
+  }
   const auto thinned = [&](std::size_t k, std::size_t times) {
     if (progress_.cancelled()) throw Cancelled();
     return shapes[k]->thinned(times, plan.actions[k], query_.direction, play_.points);
@@ -474,6 +497,7 @@ void BodyPlayer::measure(ActionPlan& plan, bool fine) {
       least = std::min(least, depth);
     }
     if (best != nullptr) bodies.push_back({k, best});
+    shapes[k]->forget_rays_but(best);
   }
   std::vector<std::optional<BodyHit>> hits(bodies.size());
   tbb::parallel_for(std::size_t{0}, bodies.size(),
