@@ -40,8 +40,9 @@ FigureStyle::FigureStyle(const PartModel& model)
 std::string FigureStyle::text(FigureKind kind, double value) const {
   switch (kind) {
     case FigureKind::error:
+      return error_text(std::abs(value), least_area_);
     case FigureKind::gap:
-      return error_text(std::abs(value));
+      return error_text(std::abs(value), k_least_shown_share);
     case FigureKind::share:
       return fmt::format("{:.1f} %", 100.0 * value);
     case FigureKind::per_cent:

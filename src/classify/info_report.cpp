@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "classify/classify_report.hpp"
+#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 #include "io/text_scanner.hpp"
 #include "mesh/place_order.hpp"
@@ -77,13 +78,13 @@ std::size_t source_count(const Part& part) {
 void add_bodies(std::string& text, const PartModel& model) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "\nbodies: {}\n", model.part.bodies.size());
+  const FigureStyle style(model);
   std::size_t number = 0;
   for (const Body& body : model.part.bodies) {
     const BodyFigures measured = measure_body(model, body);
-    fmt::format_to(out, "  {:>3}  {:>8} facets, area {} {}, centre {}{}{}\n", ++number, body.facet_count,
-                   figure(measured.area), powered_unit(model.part, 2),
-                   figures(measured.bounds.center(), model.frame.diagonal), body.name.empty() ? "" : "  ",
-                   clean_name(body.name));
+    fmt::format_to(out, "  {:>3}  {:>8} facets, area {}, centre {}{}{}\n", ++number, body.facet_count,
+                   style.with_unit(FigureKind::area, measured.area), style.point(measured.bounds.center()),
+                   body.name.empty() ? "" : "  ", clean_name(body.name));
   }
 }
 
@@ -91,16 +92,18 @@ void add_chains(std::string& text, const PartModel& model, std::string_view kind
                 const std::vector<EdgeChain>& chains) {
   if (chains.empty()) return;
   const auto out = std::back_inserter(text);
-  const std::string unit = length_unit(model.part);
-  fmt::format_to(out, "\n{} edges: {} {} of {} {} in all{}\n", kind, chains.size(),
-                 chains.size() == 1 ? "chain" : "chains", figure(total_length(chains)), unit,
+  const FigureStyle style(model);
+  fmt::format_to(out, "\n{} edges: {} {} of {} in all{}\n", kind, chains.size(),
+                 chains.size() == 1 ? "chain" : "chains",
+                 style.with_unit(FigureKind::length, total_length(chains)),
                  chains.size() > k_text_places ? fmt::format("; the {} longest", k_text_places) : "");
-  fmt::format_to(out, "  {:>6}  {:>10}  {:<9}  {:>8}  place\n", "edges", "length", "", "facet");
+  fmt::format_to(out, "  {:>6}  {:>10}  {:<9}  {:>8}  place\n", "edges",
+                 style.heading("length", FigureKind::length), "", "facet");
   for (const EdgeChain& chain : std::span(chains).first(std::min(chains.size(), k_text_places))) {
     fmt::format_to(out, "  {:>6}  {:>10}  {:<9}  {:>8}  around {}, {} across\n", chain.edge_count(),
-                   figure(chain.length), chain.closed ? "loop" : "open-ended",
-                   file_facet(model.part, chain.facet), figures(chain.bounds.center(), model.frame.diagonal),
-                   figure(chain.bounds.diagonal()));
+                   style.text(FigureKind::length, chain.length), chain.closed ? "loop" : "open-ended",
+                   file_facet(model.part, chain.facet), style.point(chain.bounds.center()),
+                   style.with_unit(FigureKind::length, chain.bounds.diagonal()));
   }
 }
 
@@ -145,6 +148,7 @@ Json info_json(const PartModel& model, const DefectPlaces& places) {
 std::string info_text(const PartModel& model, const DefectPlaces& places) {
   const HealthReport& health = model.health;
   const Part& part = model.part;
+  const FigureStyle style(model);
   std::string text;
   const auto out = std::back_inserter(text);
   const std::size_t sources = source_count(part);
@@ -155,13 +159,13 @@ std::string info_text(const PartModel& model, const DefectPlaces& places) {
       out, "facets      {}{}\n", health.facets,
       sources == 0 ? "" : fmt::format(", of {} {}", sources, part.has_cad_faces ? "faces" : "polygons"));
   fmt::format_to(out, "vertices    {}\nbodies      {}\n", health.vertices, health.components);
-  fmt::format_to(out, "size        {} {}\n",
-                 figures(health.bounds.max - health.bounds.min, model.frame.diagonal), length_unit(part));
-  fmt::format_to(out, "from, to    {} … {}\n", figures(health.bounds.min, model.frame.diagonal),
-                 figures(health.bounds.max, model.frame.diagonal));
-  fmt::format_to(out, "area        {} {}\n", figure(health.area), powered_unit(part, 2));
+  fmt::format_to(out, "size        {} {}\n", style.point(health.bounds.max - health.bounds.min),
+                 length_unit(part));
+  fmt::format_to(out, "from, to    {} … {}\n", style.point(health.bounds.min),
+                 style.point(health.bounds.max));
+  fmt::format_to(out, "area        {}\n", style.with_unit(FigureKind::area, health.area));
   if (health.closed) {
-    fmt::format_to(out, "volume      {} {}\n", figure(health.volume), powered_unit(part, 3));
+    fmt::format_to(out, "volume      {}\n", style.with_unit(FigureKind::volume, health.volume));
   } else {
     fmt::format_to(out, "volume      not defined: the part is not closed\n");
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/numbers.hpp"
 #include "mesh/length_unit.hpp"
 
 namespace moldlight {
@@ -49,7 +50,7 @@ std::span<const Option<ReadOptions>> reading_options() {
   using S = ReadOptions;
   static const std::string k_weld_help = fmt::format(
       "Largest distance between vertices that --repair joins. The default is {} of the part's diagonal.",
-      k_weld_share);
+      rounded(k_weld_share));
   static const std::vector<Option<S>> k_options = {
       {"unit", "--unit", "Unit", "",
        "Unit of a file that states none; um, dm and ft are possible, too. Any other file is converted to it.",

@@ -12,22 +12,6 @@
 
 namespace moldlight {
 
-namespace {
-/// Of a length, what its sums and differences may be off.
-constexpr double k_rounding_share = 1e-12;
-}  // namespace
-
-FigureColumn::FigureColumn(double greatest) {
-  if (!(greatest > 0.0)) return;
-  const int magnitude = static_cast<int>(std::floor(std::log10(greatest)));
-  scientific_ = magnitude < -6 || magnitude > 11;
-  decimals_ = scientific_ ? 5 : std::max(0, 5 - magnitude);
-}
-
-std::string FigureColumn::text(double value) const {
-  return scientific_ ? fmt::format("{:.{}e}", value, decimals_) : fmt::format("{:.{}f}", value, decimals_);
-}
-
 std::string grouped(std::string_view number) {
   constexpr std::string_view k_gap = "\u2009";
   const std::size_t start = std::min(number.find_first_of("0123456789"), number.size());
@@ -40,49 +24,17 @@ std::string grouped(std::string_view number) {
   return result + std::string(number.substr(end));
 }
 
-std::string with_sign(const FigureColumn& column, double value) {
-  std::string text = column.text(std::abs(value));
-  const bool none = text.find_first_not_of("0.") == std::string::npos;
-  return none ? "0" : (value < 0.0 ? "−" : "+") + grouped(text);
-}
-
 double share(double value, double whole) { return whole > 0.0 ? value / whole : 0.0; }
 
 std::string share_text(double value, double whole) {
   return fmt::format("{:.2f} %", 100.0 * share(value, whole));
 }
 
-std::string error_text(double error) { return fmt::format("{:.2g}", error); }
-
-std::string rounded(double value, double least) {
-  constexpr int k_digits = 4;
-  const double size = std::abs(value);
-  if (size == 0.0) return "0";
-  if (size < least) {
-    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(least))));
-    const double shown = std::ceil(least * std::pow(10.0, decimals)) / std::pow(10.0, decimals);
-    return fmt::format("< {:.{}f}", shown, decimals);
-  }
-  const int magnitude = static_cast<int>(std::floor(std::log10(size)));
-  const int decimals = std::clamp(k_digits - 1 - magnitude, 0, 12);
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (decimals > 0) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return text;
-}
-
 std::string rounded_area(double area, double whole) { return rounded(area, 1e-6 * whole); }
 
-std::string figure(double value) { return fmt::format("{:.6g}", value); }
+std::string error_text(double error, double least) { return rounded(error, least, 2); }
 
-std::string figures(const glm::dvec3& values, double scale) {
-  const auto text = [scale](double value) {
-    return figure(std::abs(value) < k_rounding_share * scale ? 0.0 : value);
-  };
-  return fmt::format("{}, {}, {}", text(values.x), text(values.y), text(values.z));
-}
+std::string figure(double value) { return fmt::format("{:.6g}", value); }
 
 std::string component_text(double value, int decimals) {
   const bool is_zero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);

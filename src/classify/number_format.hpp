@@ -5,44 +5,25 @@
 
 #include <glm/vec3.hpp>
 
+#include "base/numbers.hpp"
 #include "mesh/part.hpp"
 
 namespace moldlight {
 
-/// Digits behind the point so that a column whose greatest figure is `greatest` shows six digits of it.
-class FigureColumn {
- public:
-  explicit FigureColumn(double greatest);
-  [[nodiscard]] std::string text(double value) const;
-
- private:
-  int decimals_ = 0;
-  bool scientific_ = false;  // for what would need a screen's width of zeros
-};
-
 /// Digits before the point in groups of three: "1 234.5" with thin gaps.
 [[nodiscard]] std::string grouped(std::string_view number);
-
-/// What a figure has become more or less, with its sign; 0 where it prints as nothing.
-[[nodiscard]] std::string with_sign(const FigureColumn& column, double value);
 
 /// What part of `whole` a value is; 0 of nothing.
 [[nodiscard]] double share(double value, double whole);
 /// The same as "2.03 %".
 [[nodiscard]] std::string share_text(double value, double whole);
-/// How far a figure may be off, in two digits: rounding alone shows, too.
-[[nodiscard]] std::string error_text(double error);
-
-/// A figure in a sentence: four digits without an exponent, but none below `least`, which says what rounding
-/// or a tolerance leaves of it: "147.8", "12034", "< 0.002".
-[[nodiscard]] std::string rounded(double value, double least = 0.0);
-/// The same of areas of a surface: what is less than a millionth of it is not distinguished.
+/// rounded() of an area of a surface: what is less than a millionth of it is not distinguished.
 [[nodiscard]] std::string rounded_area(double area, double whole);
+/// How far a figure may be off, in two digits.
+[[nodiscard]] std::string error_text(double error, double least = 0.0);
 
-/// One figure on its own, six digits.
+/// Six digits: where near values are told apart, as criteria and programs do.
 [[nodiscard]] std::string figure(double value);
-/// "x, y, z"; what is rounding error beside a length of `scale` is written as 0.
-[[nodiscard]] std::string figures(const glm::dvec3& values, double scale);
 
 /// "0.00000, 0.60000, 0.80000".
 [[nodiscard]] std::string direction_text(const glm::dvec3& direction, int decimals = 5);

@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 #include "gl/objects.hpp"
 #include "mold/direction.hpp"
@@ -166,16 +167,17 @@ LegendContent legend_content(const PartModel& model, const Classification& resul
       "parting direction " + direction_words(result.direction),
       fmt::format("near-vertical below {}°", figure(result.settings.tau_deg)),
       fmt::format("lateral tolerance {:.3g} {}", result.lateral_tolerance, length_unit(model.part))};
-  const FigureColumn areas(result.total_area);
+  const FigureStyle style(model);
   for (const Region region : k_regions) {
     const auto index = static_cast<std::size_t>(region);
     content.shares[index] = share(result.areas[region], result.total_area);
     content.percents[index] = fmt::format("{:.2f}", 100.0 * content.shares[index]);
-    content.areas[index] = areas.text(result.areas[region]);
+    content.areas[index] = style.text(FigureKind::area, result.areas[region]);
   }
   content.unit = powered_unit(model.part, 2);
-  content.note = fmt::format("undercut ± {} {}  ·  two checks {}", error_text(result.uncertainty.total()),
-                             content.unit, result.identity.agrees() ? "agree" : "disagree");
+  content.note = fmt::format("undercut ± {}  ·  two checks {}",
+                             style.with_unit(FigureKind::error, result.uncertainty.total()),
+                             result.identity.agrees() ? "agree" : "disagree");
   return content;
 }
 

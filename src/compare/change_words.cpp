@@ -1,9 +1,8 @@
 #include "compare/change_words.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
+#include "classify/number_format.hpp"
 #include "mold/direction.hpp"
 
 namespace moldlight {
@@ -11,16 +10,22 @@ namespace moldlight {
 using Of = RevisionChange::Of;
 
 ChangeWording::ChangeWording(const Comparison& comparison)
-    : comparison_(comparison),
-      areas_(std::max(comparison.a.result.total_area, comparison.b.result.total_area)),
-      lengths_(10.0 * comparison.a.model->frame.diagonal) {}
+    : comparison_(comparison), style_(*comparison.a.model) {}
+
+std::string ChangeWording::area_text(double value) const {
+  return grouped(style_.text(FigureKind::area, value));
+}
+
+std::string ChangeWording::length_text(double value) const {
+  return grouped(style_.with_unit(FigureKind::length, value));
+}
 
 ChangeWords ChangeWording::of(const RevisionChange& change) const {
   switch (change.of) {
     case Of::place:
       return of_place(comparison_.surface.places[change.number]);
     case Of::region: {
-      const std::string area = grouped(areas_.text(comparison_.surface.regions[change.number].area));
+      const std::string area = area_text(comparison_.surface.regions[change.number].area);
       return {.before = area, .now = area, .more = "same surface, other region"};
     }
     case Of::undercut:
@@ -36,18 +41,18 @@ std::string ChangeWording::regions() const {
   const Classification &a = comparison_.a.result, &b = comparison_.b.result;
   for (const Region region : {Region::undercut, Region::core, Region::cavity, Region::both}) {
     text += fmt::format("{}{} {}, was {}", text.empty() ? "" : "  ·  ", region_name(region),
-                        grouped(areas_.text(b.areas[region])), grouped(areas_.text(a.areas[region])));
+                        area_text(b.areas[region]), area_text(a.areas[region]));
   }
   return fmt::format("{}  {}", text, powered_unit(comparison_.a.model->part, 2));
 }
 
 ChangeWords ChangeWording::of_place(const ChangedPlace& place) const {
   ChangeWords words;
-  if (place.gone.area > 0.0) words.before = grouped(areas_.text(place.gone.area));
-  if (place.added.area > 0.0) words.now = grouped(areas_.text(place.added.area));
-  if (comparison_.surface.closed) words.volume = with_sign(areas_, place.volume.volume);
-  words.more = fmt::format("{} {} across", grouped(lengths_.text(place.bounds.diagonal())),
-                           length_unit(comparison_.a.model->part));
+  if (place.gone.area > 0.0) words.before = area_text(place.gone.area);
+  if (place.added.area > 0.0) words.now = area_text(place.added.area);
+  if (comparison_.surface.closed)
+    words.volume = with_minus(grouped(style_.change(FigureKind::volume, place.volume.volume)));
+  words.more = length_text(place.bounds.diagonal()) + " across";
   return words;
 }
 
@@ -55,15 +60,14 @@ ChangeWords ChangeWording::of_undercut(const MatchedChange& change) const {
   ChangeWords words;
   const auto undercut = [&](const ComparedPart& part, std::size_t number, std::string& area) {
     const UndercutReport& one = part.plan->undercuts[number];
-    area = grouped(areas_.text(one.undercut.area));
-    return one.depth ? grouped(lengths_.text(*one.depth)) : "–";
+    area = area_text(one.undercut.area);
+    return one.depth ? length_text(*one.depth) : "–";
   };
   std::string was, now;
   if (change.a) was = undercut(comparison_.a, *change.a, words.before);
   if (change.b) now = undercut(comparison_.b, *change.b, words.now);
-  const std::string unit = length_unit(comparison_.a.model->part);
-  words.more = change.a && change.b ? fmt::format("{0} {2} deep, now {1} {2}", was, now, unit)
-                                    : fmt::format("{}{} {} deep", was, now, unit);
+  words.more =
+      change.a && change.b ? fmt::format("{} deep, now {}", was, now) : fmt::format("{}{} deep", was, now);
   return words;
 }
 
@@ -71,10 +75,9 @@ ChangeWords ChangeWording::of_action(const MatchedChange& change) const {
   ChangeWords words;
   const auto action = [&](const ActionPlan& plan, std::size_t number, std::string& area) {
     const SideAction& one = plan.actions[number];
-    area = grouped(areas_.text(one.area));
-    return with_minus(fmt::format("{} {} travel {} {}", facts(one.kind).singular,
-                                  direction_words(one.direction), grouped(lengths_.text(one.travel)),
-                                  length_unit(comparison_.a.model->part)));
+    area = area_text(one.area);
+    return with_minus(fmt::format("{} {} travel {}", facts(one.kind).singular, direction_words(one.direction),
+                                  length_text(one.travel)));
   };
   std::string was, now;
   if (change.a) was = action(*comparison_.a.plan, *change.a, words.before);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "classify/number_format.hpp"
+#include "classify/figure_table.hpp"
 #include "compare/revision_changes.hpp"
 
 namespace moldlight {
@@ -15,7 +15,7 @@ struct ChangeWords {
   std::string more = {};
 };
 
-/// With as many digits in all changes of a comparison, which must outlive it.
+/// Of a comparison, which must outlive it.
 class ChangeWording {
  public:
   explicit ChangeWording(const Comparison& comparison);
@@ -28,9 +28,11 @@ class ChangeWording {
   [[nodiscard]] ChangeWords of_place(const ChangedPlace& place) const;
   [[nodiscard]] ChangeWords of_undercut(const MatchedChange& change) const;
   [[nodiscard]] ChangeWords of_action(const MatchedChange& change) const;
+  [[nodiscard]] std::string area_text(double value) const;
+  [[nodiscard]] std::string length_text(double value) const;
 
   const Comparison& comparison_;
-  FigureColumn areas_, lengths_;
+  FigureStyle style_;
 };
 
 /// "new surface", "core, now undercut", "undercut grown", "side action gone".

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/numbers.hpp"
 #include "mesh/length_unit.hpp"
 #include "mesh/weld.hpp"
 
@@ -73,13 +74,13 @@ std::vector<std::string> RepairReport::sentences(const std::string& unit) const 
   };
   const std::string with_unit = unit.empty() ? "" : " " + unit;
   say(welded_vertices,
-      fmt::format("vertices of open edges welded within {:.3g}{}", weld_tolerance, with_unit));
+      fmt::format("vertices of open edges welded within {}{}", rounded(weld_tolerance), with_unit));
   say(collapsed_facets, "facets with two equal corners dropped");
   say(flattened_facets, "facets without area merged into their neighbours");
   say(duplicate_facets, "duplicate facets dropped");
   say(turned_facets, "facets turned for consistent winding");
-  say(filled_holes, fmt::format("holes filled with {} facets of {:.4g}{} in all", added_facets, filled_area,
-                                with_unit.empty() ? "" : with_unit + "^2"));
+  say(filled_holes, fmt::format("holes filled with {} facets of {}{} in all", added_facets,
+                                rounded(filled_area), with_unit.empty() ? "" : with_unit + "²"));
   if (sentences.empty()) sentences.push_back("nothing to repair");
   if (open_edges_before != open_edges_after || open_edges_after > 0) {
     sentences.push_back(fmt::format("{} open edges before, {} after", open_edges_before, open_edges_after));

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "classify/number_format.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "mesh/health.hpp"
 #include "mold/exact/exact_regions.hpp"
@@ -277,8 +278,8 @@ class Trial {
                                  std::abs(below.covered - below.folded - rectangle_)) /
                         rectangle_;
     if (halves_.fold_area > k_most_fold || halves_.cover_gap > k_most_fold)
-      return MoldFault{fmt::format("a half would fold over itself, on {:.2g} of its area",
-                                   std::max(halves_.fold_area, halves_.cover_gap)),
+      return MoldFault{fmt::format("a half would fold over itself, on {} of its area",
+                                   error_text(std::max(halves_.fold_area, halves_.cover_gap))),
                        k_avoid_rounding, above.most > below.most ? above.place : below.place};
     add_block(sheets_, block_, true, core);
     add_block(sheets_, block_, false, cavity);
@@ -371,8 +372,8 @@ class Trial {
     halves_.volume_gap = halves_.share_left();
     if (std::abs(halves_.volume_gap) > k_most_gap)
       return MoldFault{
-          fmt::format("the volumes of halves, part and inserts differ from the block by {:.2g} of it",
-                      std::abs(halves_.volume_gap)),
+          fmt::format("the volumes of halves, part and inserts differ from the block by {} of it",
+                      error_text(std::abs(halves_.volume_gap))),
           k_avoid_rounding, most_moved(sheets_)};
     halves_.tolerance = attempt_.tolerance;
     keep_surface();

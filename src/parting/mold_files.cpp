@@ -14,6 +14,7 @@
 
 #include "actions/actions_files.hpp"
 #include "base/error.hpp"
+#include "classify/number_format.hpp"
 #include "io/mesh_writer.hpp"
 #include "mesh/edge_collapse.hpp"
 #include "mesh/facet_geometry.hpp"
@@ -163,7 +164,7 @@ std::string fill(WrittenMold& mold, const MoldHalves& halves, bool part_frame) {
     half.leaning = leaning_of(half.mesh, lid, top);
     if (half.undercut > k_most_written_fold) {
       mold.refused_at = in_part(folded_at(half.mesh, lid, top));
-      return fmt::format("in single precision {:.2g} of the {} would fold over itself", half.undercut,
+      return fmt::format("in single precision {} of the {} would fold over itself", error_text(half.undercut),
                          half.name);
     }
   }

@@ -80,7 +80,7 @@ void add_actions(const ActionPlan& plan, const InsertActions& of_insert, Json& j
 std::string block_text(const PartModel& model, const MoldHalves& halves) {
   const glm::dvec2 size = halves.scale * model.frame.diagonal * (halves.block_high - halves.block_low);
   return fmt::format(
-      "{:.4g} × {:.4g} × {}", size.x, size.y,
+      "{} × {} × {}", rounded(size.x), rounded(size.y),
       FigureStyle(model).with_unit(FigureKind::length, halves.block_volume / (size.x * size.y)));
 }
 

@@ -263,7 +263,7 @@ void add_classify(py::module_& module, PartClass& part) {
       .def("__repr__", [](const PythonClassification& self) {
         const Classification& found = self.result();
         return py::str(fmt::format("<moldlight.Classification along {}: undercut {} of {}>",
-                                   figures(found.direction, 1.0), figure(found.areas[Region::undercut]),
+                                   direction_words(found.direction), figure(found.areas[Region::undercut]),
                                    figure(found.total_area)));
       });
   add_picture(result,

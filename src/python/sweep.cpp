@@ -78,8 +78,8 @@ std::string text(const PythonSweep& self) {
   const std::string scored = fmt::format("{} directions scored", self.result().evaluated.size());
   if (self.result().candidates.empty()) return fmt::format("<moldlight.Sweep: {}>", scored);
   const Classification& found = self.result().candidates.front().classification;
-  return fmt::format("<moldlight.Sweep: {}, best {} with undercut {}>", scored, figures(found.direction, 1.0),
-                     figure(found.areas[Region::undercut]));
+  return fmt::format("<moldlight.Sweep: {}, best {} with undercut {}>", scored,
+                     direction_words(found.direction), figure(found.areas[Region::undercut]));
 }
 
 constexpr std::string_view k_sweep_text =

@@ -193,9 +193,9 @@ class Judge {
 
   void add_specks() {
     if (verdict_.specks == 0) return;
-    add(fmt::format("{} {} ignored, smaller or shallower than {:.3g} {} ({}).",
-                    plural(verdict_.specks, "tiny undercut"), verdict_.specks == 1 ? "is" : "are", lateral_,
-                    length_unit(facts_.model.part), area(verdict_.speck_area)));
+    add(fmt::format("{} {} ignored, smaller or shallower than {} {} ({}).",
+                    plural(verdict_.specks, "tiny undercut"), verdict_.specks == 1 ? "is" : "are",
+                    rounded(lateral_, 0.0, 3), length_unit(facts_.model.part), area(verdict_.speck_area)));
   }
 
   void add_sampled() {

@@ -49,13 +49,13 @@ SphereContent sphere_content(const PartModel& model, const SweepResult& result) 
       fmt::format("Undercut by parting direction: {} scored{}", plural(result.evaluated.size(), "direction"),
                   result.complete ? "" : ", not complete"),
       fmt::format("{} facets, surface {} {}, near-vertical below {}°", model.health.facets,
-                  figure(model.geometry.total_area), powered_unit(model.part, 2),
+                  rounded(model.geometry.total_area), powered_unit(model.part, 2),
                   figure(result.settings.method.tau_deg))};
   const auto& proof = result.proof && result.proof->bound > 0.0 ? result.proof : result.all_free;
   if (proof) {
     content.lines.push_back(fmt::format(
         "{} have at least {} {} ({}), {}",
-        proof->open.empty() ? "All directions" : "All but the circled directions", figure(proof->bound),
+        proof->open.empty() ? "All directions" : "All but the circled directions", rounded(proof->bound),
         powered_unit(model.part, 2), share_text(proof->bound, model.geometry.total_area),
         proof->grade == ProofGrade::area ? "by area" : "for the scoring samples"));
     for (const OpenCap& open : proof->open) content.open.push_back({open.cap.direction, open.cap.radius_deg});

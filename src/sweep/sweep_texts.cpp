@@ -31,8 +31,7 @@ std::string side_actions_text(const PartModel& model, const SweepCandidate& cand
   if (!candidate.actions) return {};
   const double left = candidate.actions->totals.unreleased_area;
   if (left <= 0.0) return candidate.actions->text();
-  const std::string area =
-      fmt::format("{} {}", FigureColumn(model.geometry.total_area).text(left), powered_unit(model.part, 2));
+  const std::string area = FigureStyle(model).with_unit(FigureKind::area, left);
   if (candidate.actions->weight <= 0.0) return "nothing releases " + area;
   return fmt::format("{}; {} unreleased", candidate.actions->text(), area);
 }

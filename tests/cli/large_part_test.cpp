@@ -1,10 +1,12 @@
-// Two million facets at default settings: the memory is bounded, the time is printed.
+// Two million facets, and hundreds of bodies in each other: the memory is bounded.
 #include <cstdio>
 
 #include <gtest/gtest.h>
 
 #include "cli/small_part.hpp"
+#include "support/boxes.hpp"
 #include "support/mesh_edits.hpp"
+#include "support/random.hpp"
 
 namespace moldlight {
 namespace {
@@ -34,6 +36,25 @@ TEST(LargePart, OfTwoMillionFacetsTakesLessThanTwoGigabytes) {
               json["part"]["facets"].get<std::size_t>(), run.processor_s,
               timings["load"].get<double>() / 1000.0, timings["regions"].get<double>() / 1000.0,
               static_cast<double>(run.peak_memory) / static_cast<double>(std::size_t{1} << 30));
+}
+
+/// Side actions of a heap of boxes: hundreds of bodies are tried.
+TEST(LargePart, SideActionsOfFourHundredBoxesTakeTwoHundredMegabytesAndTwoKilobytesAFacet) {
+  if (test::built_with_sanitizers()) GTEST_SKIP() << "the sanitizers take memory of their own";
+  const test::ScratchFolder folder;
+  test::Random random(9);
+  TriangleMesh heap;
+  for (int k = 0; k < 400; ++k) {
+    const glm::dvec3 low = random.in_cube(5.0), size = glm::dvec3(1.6) + random.in_cube(1.4);
+    heap = test::joined(heap, test::box_mesh(low, low + size));
+  }
+  const std::string file = folder.file("heap.stl");
+  write_coloured_mesh(file, {heap, std::vector<Region>(heap.facets.size(), Region::core)});
+  test::ProcessSettings settings;
+  settings.time_limit_s = 300.0;
+  const auto run = test::run_moldlight({"actions", file, "--direction", "z"}, settings);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_LT(run.peak_memory, (std::size_t{200} << 20) + 2048 * heap.facets.size());
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ TEST(SweepCommand, PrintsATableAndNothingElseOnStdout) {
   const std::string wide = run_moldlight(part.sweep({"--wide"})).out;
   for (const char* word : {"projected unit²", "tilt", "Pareto", "z-axis of the file"})
     EXPECT_NE(wide.find(word), std::string::npos) << word << " in\n" << wide;
-  EXPECT_NE(run.out.find("e-"), std::string::npos) << "rounding is more than 0.0 in\n" << run.out;
+  EXPECT_NE(run.out.find(" < 0.0"), std::string::npos) << "rounding is more than 0.0 in\n" << run.out;
+  EXPECT_EQ(run.out.find("e-"), std::string::npos) << "no exponents in\n" << run.out;
   EXPECT_EQ(run.out.find("clamp force"), std::string::npos) << "without a pressure";
   EXPECT_EQ(run_moldlight(part.sweep({"--verbose"})).out, run.out);
   EXPECT_EQ(run_moldlight(part.sweep({"--quiet", "--jobs", "1"})).out, run.out);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 #include "gui/draw/bottom_panel.hpp"
 #include "gui/panels/panels.hpp"
@@ -119,13 +120,14 @@ void draw_comparison(const PanelContext& context) {
   };
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
   const bool known = state.figures.shown && !state.figures.pale;
-  const FigureColumn column(state.model->geometry.total_area);
+  const FigureStyle style(*state.model);
   add({"", "left", fmt::format("right, {}", other.rank), "left − right"}, ui.colours->muted);
   for (const Region region : k_regions) {
     const double right = other.classification.areas[region];
     const double left = known ? state.figures.shown->areas[region] : 0.0;
-    add({std::string(facts(region).title), known ? grouped(column.text(left)) : "…",
-         grouped(column.text(right)), known ? with_sign(column, left - right) : "…"},
+    add({std::string(facts(region).title), known ? grouped(style.text(FigureKind::area, left)) : "…",
+         grouped(style.text(FigureKind::area, right)),
+         known ? with_minus(grouped(style.change(FigureKind::area, left - right))) : "…"},
         ui.colours->text, packed(region_colour(region, state.settings.look.palette)));
   }
   add({"Undercut ±", known ? error_text(state.figures.shown->uncertainty.total()) : "…",

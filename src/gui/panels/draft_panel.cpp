@@ -142,12 +142,10 @@ void describe_bin(const PanelContext& context, const DraftChart& chart, const Dr
   const auto bin = std::ranges::find_if(
       check.histogram, [&](const DraftBin& each) { return draft >= each.from_deg && draft < each.to_deg; });
   if (bin == check.histogram.end()) return;
-  const PartModel& model = *context.state.model;
-  const std::string unit = powered_unit(model.part, 2);
-  const FigureColumn areas(model.geometry.total_area);
+  const FigureStyle style(*context.state.model);
   tooltip(context.ui, with_minus(fmt::format("{}° to {}°", bin->from_deg, bin->to_deg)),
-          fmt::format("core {} {}\ncavity {} {}", grouped(areas.text(bin->area[0])), unit,
-                      grouped(areas.text(bin->area[1])), unit));
+          fmt::format("core {}\ncavity {}", grouped(style.with_unit(FigureKind::area, bin->area[0])),
+                      grouped(style.with_unit(FigureKind::area, bin->area[1]))));
 }
 
 /// The limit of what is required, which a hand may drag; true where the mouse is on it.
@@ -266,10 +264,9 @@ void DraftPanel::draw_row(const PanelContext& context, std::size_t number, bool 
   const std::string id = fmt::format("wall {}", number + 1);
   const Row row = list_row(ui, {.id = id.c_str(), .height = k_draft_row, .chosen = here, .marked = marked});
   const std::string unit = length_unit(state.model->part);
-  const FigureColumn lengths(10.0 * state.model->frame.diagonal);
   const std::array<std::string, k_draft_columns.size()> texts = {
       std::to_string(number + 1), std::string(side_name(wall.side)), draft_text(wall.least_deg),
-      grouped(lengths.text(wall.thickness)) + " " + unit};
+      grouped(rounded(wall.thickness)) + " " + unit};
   const ImU32 normal = faded(ui.colours->text, state.mold.line_awaited ? 0.75F : 1.0F);
   const ScreenBox upper{row.box.min, {row.box.max.x, row.box.min.y + ui.px(22)}};
   for (std::size_t k = 0; k < texts.size(); ++k) {

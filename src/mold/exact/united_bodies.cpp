@@ -12,6 +12,7 @@
 #include <tbb/parallel_for.h>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "mesh/facet_geometry.hpp"
 #include "mesh/orient.hpp"
 #include "mesh/unit_frame.hpp"
@@ -152,9 +153,9 @@ void mend_part(Part& part, const RepairOptions& options, const Progress& progres
   std::vector<std::string> repairs = std::move(part.repairs);
   const UnionReport united = unite_bodies(part, progress);
   const std::size_t open = close_cuts(part, progress);
-  repairs.push_back(fmt::format("bodies united: {} facets cut, {:.4g}{} of surface inside others dropped{}",
-                                united.cut_facets, united.inside_area,
-                                part.unit.empty() ? "" : " " + part.unit + "^2",
+  repairs.push_back(fmt::format("bodies united: {} facets cut, {}{} of surface inside others dropped{}",
+                                united.cut_facets, rounded(united.inside_area),
+                                part.unit.empty() ? "" : " " + part.unit + "²",
                                 open > 0 ? fmt::format(", {} open edges left", open) : ""));
   part.repairs = std::move(repairs);
 }

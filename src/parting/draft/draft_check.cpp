@@ -13,6 +13,7 @@
 
 #include "base/numbers.hpp"
 #include "classify/classify_report.hpp"
+#include "classify/figure_table.hpp"
 #include "classify/number_format.hpp"
 #include "io/atomic_file.hpp"
 #include "mesh/faces.hpp"
@@ -390,12 +391,12 @@ Image with_draft_histogram(const Image& picture, const PartModel& model, const D
   DesignSpace at(canvas, card.corner, scale, style.dark);
   const double inner = k_width - 2.0 * k_padding;
   at.elided({k_padding, k_padding + k_title_at}, "Draft by area", at.title(), inner);
-  const std::string unit = powered_unit(model.part, 2);
-  const FigureColumn areas(check.below[0] + check.below[1]);
-  at.elided({k_padding, k_padding + k_line_at},
-            fmt::format("{}: core {}, cavity {} {}", below_text(check), areas.text(check.below[0]),
-                        areas.text(check.below[1]), unit),
-            at.small(Align::left), inner);
+  const FigureStyle figures(model);
+  at.elided(
+      {k_padding, k_padding + k_line_at},
+      fmt::format("{}: core {}, cavity {}", below_text(check), figures.text(FigureKind::area, check.below[0]),
+                  figures.with_unit(FigureKind::area, check.below[1])),
+      at.small(Align::left), inner);
   draw_bars(at, check, style);
   at.line({k_padding, k_padding + k_chart_bottom}, {k_width - k_padding, k_padding + k_chart_bottom},
           inks.faint, 1.0);

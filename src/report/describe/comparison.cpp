@@ -56,17 +56,18 @@ class Describer {
     Section section{"Surface that is new or gone", {}};
     FigureGrid grid;
     grid.figures = {{"Gone", area(surface.gone.area, "/surface/gone/area"), area_unit_, "of A alone",
-                     error_text(surface.gone.error)},
+                     style_.text(FigureKind::error, surface.gone.error)},
                     {"New", area(surface.added.area, "/surface/new/area"), area_unit_, "of B alone",
-                     error_text(surface.added.error)},
+                     style_.text(FigureKind::error, surface.added.error)},
                     {"The same within", length(surface.tolerance.apart, "/same_within"), length_unit_}};
     if (surface.chords > 0.0)
       grid.figures.push_back({"Tessellation", length(surface.chords, "/tessellation"), length_unit_,
                               "largest error assumed for the facets of both"});
     if (const auto& alignment = comparison_.alignment)
       grid.figures.push_back(
-          {"B was laid on A", number(error_text(alignment->rms), "/alignment/residual/rms", alignment->rms),
-           length_unit_, fmt::format("off, rms; {} at most", error_text(alignment->largest))});
+          {"B was laid on A", number(style_, FigureKind::length, "/alignment/residual/rms", alignment->rms),
+           length_unit_,
+           fmt::format("off, rms; {} at most", style_.with_unit(FigureKind::length, alignment->largest))});
     section.add(std::move(grid));
     Table table{
         {{"place"}, {"gone " + area_unit_}, {"new " + area_unit_}}, {}, rest_text(surface.places.size())};

@@ -11,10 +11,6 @@ namespace moldlight::report {
 
 namespace {
 
-FigureColumn area_column(const Comparison& comparison) {
-  return FigureColumn(std::max(comparison.a.result.total_area, comparison.b.result.total_area));
-}
-
 /// Half of what the part takes along an axis, about the centre of the view.
 double half_extent(const PartModel& model, const glm::dvec3& centre, const glm::dvec3& axis) {
   double most = 0.0;
@@ -24,7 +20,7 @@ double half_extent(const PartModel& model, const glm::dvec3& centre, const glm::
 }
 
 void add_lit(const Comparison& comparison, Revision revision, const glm::dvec3& shift, ModelView& view) {
-  const FigureColumn areas = area_column(comparison);
+  const FigureStyle style(*comparison.a.model);
   for (StillBody& body : lit_bodies(comparison, revision)) {
     const auto group = static_cast<std::uint16_t>(view.groups.size());
     // What is of another region is lit on both parts, and is one line of the legend.
@@ -38,7 +34,7 @@ void add_lit(const Comparison& comparison, Revision revision, const glm::dvec3& 
     ViewGroup added{.colour = body.colour, .stays_opaque = true, .shift = shift, .without_edges = true};
     if (before == view.groups.end()) {
       added.name = name;
-      added.aside = fmt::format("{} {}", areas.text(lit), powered_unit(comparison.a.model->part, 2));
+      added.aside = style.with_unit(FigureKind::area, lit);
     } else {
       added.shown_with = static_cast<std::size_t>(before - view.groups.begin());
     }
@@ -61,14 +57,13 @@ ModelView comparison_view(const ReportContext& context, const Comparison& compar
   const glm::dvec3 aside = k_room * right *
                            std::max(half_extent(*comparison.a.model, view.centre, right),
                                     half_extent(*comparison.b.model, view.centre, right));
-  const FigureColumn areas = area_column(comparison);
+  const FigureStyle style(*comparison.a.model);
   view.opens = "Move the parts apart";
   view.opened = 1.0;
   for (const Region region : k_regions) {
     ViewGroup& group = view.groups[static_cast<std::size_t>(region)];
-    group.aside =
-        fmt::format("{} → {} {}", areas.text(comparison.a.result.areas[region]),
-                    areas.text(comparison.b.result.areas[region]), powered_unit(comparison.a.model->part, 2));
+    group.aside = fmt::format("{} → {}", style.text(FigureKind::area, comparison.a.result.areas[region]),
+                              style.with_unit(FigureKind::area, comparison.b.result.areas[region]));
     group.shift = aside;
   }
   const std::size_t own = view.groups.size();

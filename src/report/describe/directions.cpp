@@ -113,13 +113,13 @@ Section proof_section(const PartModel& model, const SweepProof& proof, const std
   section.add(fmt::format("{} {} an undercut of at least {} {}, {}.",
                           proof.open.empty() ? "Every parting direction"
                                              : "Every parting direction outside of the caps below",
-                          proof.holds ? "has" : "that was tried has", figure(proof.bound), area_unit,
+                          proof.holds ? "has" : "that was tried has", rounded(proof.bound), area_unit,
                           proof.grade == ProofGrade::area ? "by area" : "for the scoring samples"),
               proof.holds ? TextLook::normal : TextLook::notice);
   FigureGrid grid;
   grid.figures = {
       {"Bound",
-       number(figure(proof.bound), key + "/bound", proof.bound),
+       number(rounded(proof.bound), key + "/bound", proof.bound),
        area_unit,
        {},
        proof.bound_error > 0.0 ? error_text(proof.bound_error) : ""},
@@ -136,7 +136,7 @@ Section proof_section(const PartModel& model, const SweepProof& proof, const std
     caps.rows.push_back({{{with_minus(direction_text(open.cap.direction, 4))},
                           number(fmt::format("{:.3g}°", open.cap.radius_deg),
                                  fmt::format("{}/open/{}/radius_deg", key, k), open.cap.radius_deg),
-                          {open.undercut ? figure(*open.undercut) : std::string("–")}}});
+                          {open.undercut ? rounded(*open.undercut) : std::string("–")}}});
   }
   if (proof.open.size() > k_most_caps) caps.rest = fmt::format("… {} in all.", proof.open.size());
   if (!caps.rows.empty()) section.add(std::move(caps));

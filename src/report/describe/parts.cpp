@@ -116,12 +116,13 @@ TitleBlock title_block(const ReportContext& context) {
 }
 
 /// Why the undercut is not known to rounding; empty where it is.
-std::string uncertainty_reason(const UndercutUncertainty& uncertainty) {
+std::string uncertainty_reason(const FigureStyle& style, const UndercutUncertainty& uncertainty) {
   if (uncertainty.sampled_facets > 0)
     return fmt::format("{} facets were sampled, which leaves ± {}.", uncertainty.sampled_facets,
-                       error_text(uncertainty.readout));
+                       style.with_unit(FigureKind::error, uncertainty.readout));
   if (uncertainty.readout > 0.0)
-    return fmt::format("The readout is off the exact regions by {}.", error_text(uncertainty.readout));
+    return fmt::format("The readout is off the exact regions by {}.",
+                       style.with_unit(FigureKind::error, uncertainty.readout));
   return uncertainty.mesh > uncertainty.rounding ? "The ± comes from faults of the mesh." : "";
 }
 
@@ -224,7 +225,9 @@ Section regions_section(const ReportContext& context, const Classification& resu
     table.rows.push_back(
         {{{title},
           value(area_text(result.areas[region]), "/areas/" + name, result.areas[region]),
-          region == Region::undercut ? value(error_text(error), "/undercut_uncertainty", error) : Value{},
+          region == Region::undercut
+              ? value(style.text(FigureKind::error, error), "/undercut_uncertainty", error)
+              : Value{},
           value(share_text(result.areas[region], result.total_area), "/fractions/" + name, part_of),
           {std::string(facts(region).meaning)}},
          mark});
@@ -249,10 +252,12 @@ Section regions_section(const ReportContext& context, const Classification& resu
       {"Cross-check",
        {identity.agrees() ? "passed" : "failed"},
        {},
-       fmt::format("the shadow from both sides differs by {} {}, limit {}",
-                   error_text(std::abs(identity.gap)), area_unit, error_text(identity.gap_limit))}};
+       "the shadow from both sides differs by " +
+           (identity.agrees() ? style.with_unit(FigureKind::error, identity.gap)
+                              : fmt::format("{} {}, limit {}", error_text(std::abs(identity.gap)), area_unit,
+                                            error_text(identity.gap_limit)))}};
   section.add(std::move(grid));
-  if (const std::string why = uncertainty_reason(result.uncertainty); !why.empty())
+  if (const std::string why = uncertainty_reason(style, result.uncertainty); !why.empty())
     section.add(why, TextLook::quiet);
   if (result.maps) add_maps(style, *result.maps, section);
   return section;
@@ -266,9 +271,7 @@ Section part_section(const ReportContext& context, const std::vector<std::string
   Section section{"The part", {}};
   FigureGrid grid;
   grid.figures = {
-      {"Box",
-       {figures(health.bounds.max - health.bounds.min, model.frame.diagonal)},
-       length_unit(model.part)},
+      {"Box", {style.point(health.bounds.max - health.bounds.min)}, length_unit(model.part)},
       {"Volume", number(style, FigureKind::volume, "/part/volume", health.volume),
        powered_unit(model.part, 3)},
       {"Facets",

@@ -20,19 +20,17 @@ Part part_of(TriangleMesh mesh, const std::string& name = "folder/part.stl") {
   return part;
 }
 
-TEST(FigureColumn, ShowsSixDigitsOfTheGreatest) {
-  EXPECT_EQ(FigureColumn(27335.46).text(27335.46), "27335.5");
-  EXPECT_EQ(FigureColumn(27335.46).text(0.04), "0.0");
-  EXPECT_EQ(FigureColumn(0.0748225).text(0.0748225), "0.0748225");
-  EXPECT_EQ(FigureColumn(9999999.0).text(1234.4), "1234");
-  EXPECT_EQ(FigureColumn(1e15).text(1.5e14), "1.50000e+14");
-  EXPECT_EQ(FigureColumn(1e-9).text(5e-10), "5.00000e-10");
-  EXPECT_EQ(FigureColumn(0.0).text(0.0), "0");
-}
-
-TEST(Figures, LeaveRoundingErrorsOut) {
-  EXPECT_EQ(figures({1.0 / 3.0, -2.7e-16, 12345678.0}, 1.0), "0.333333, 0, 1.23457e+07");
-  EXPECT_EQ(figures({2.7e-16, 0.0, 0.0}, 1e-15), "2.7e-16, 0, 0");
+TEST(Figures, HaveFourDigitsAndNoExponent) {
+  EXPECT_EQ(rounded(27335.46), "27335");
+  EXPECT_EQ(rounded(0.0748225), "0.07482");
+  EXPECT_EQ(rounded(-555.9903), "-556");
+  EXPECT_EQ(rounded(2.31628e-06), "0.000002316");
+  EXPECT_EQ(rounded(2.31628e-06, 0.00013), "< 0.0002");
+  EXPECT_EQ(rounded(0.0), "0");
+  EXPECT_EQ(rounded(1.5e14), "1.5e+14") << "for a screen's width of zeros";
+  EXPECT_EQ(rounded(5e-10), "5e-10");
+  EXPECT_EQ(error_text(1.234e-05), "0.000012");
+  EXPECT_EQ(error_text(4.8e-12, 1e-8), "< 0.00000001");
 }
 
 TEST(Figures, GetATrueMinusOnPictures) {

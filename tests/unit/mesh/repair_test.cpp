@@ -62,7 +62,7 @@ TEST(Repair, WeldsCracksWithinTheToleranceOnly) {
   expect_whole_cube(welded);
   EXPECT_TRUE(welded.file_facets.empty());
   EXPECT_EQ(welded.mesh.vertices.size(), 8u);
-  EXPECT_EQ(welded.repairs[0], "28 vertices of open edges welded within 1e-05");
+  EXPECT_EQ(welded.repairs[0], "28 vertices of open edges welded within 0.00001");
   EXPECT_EQ(welded.repairs[1], "36 open edges before, 0 after");
   EXPECT_GT(health_of(repaired(soup, RepairLevel::weld, 1e-9)).open_edges, 0u);
 }

@@ -69,7 +69,9 @@ TEST_F(OfABox, FiguresAreWrittenByTheirKind) {
 /// Exact figures are off by rounding alone, which the digits of an area do not show.
 TEST_F(OfABox, UncertaintiesHaveTwoDigits) {
   classification_.uncertainty.rounding = 1.49e-5;
-  EXPECT_EQ(text("undercut_uncertainty", facts()), "1.5e-05");
+  EXPECT_EQ(text("undercut_uncertainty", facts()), "< 0.0006");
+  classification_.uncertainty.rounding = 0.01494;
+  EXPECT_EQ(text("undercut_uncertainty", facts()), "0.015");
   classification_.uncertainty = {.rounding = 0.0, .mesh = 12.3};
   EXPECT_EQ(text("undercut_uncertainty", facts()), "12");
   classification_.uncertainty = {};
