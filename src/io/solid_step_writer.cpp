@@ -1,11 +1,8 @@
 // Solids for CAD: bodies with plane faces in one product.
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "io/atomic_file.hpp"

@@ -1,7 +1,5 @@
 // Solids for printing and machining: binary STL, and 3MF with several solids in one file.
 #include <cstdint>
-#include <cstring>
-#include <iterator>
 #include <memory>
 #include <utility>
 

@@ -1,7 +1,5 @@
 #include "io/threemf_model.hpp"
 
-#include <vector>
-
 #include <glm/geometric.hpp>
 #include <zip.h>
 

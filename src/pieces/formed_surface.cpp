@@ -5,12 +5,10 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "base/check.hpp"
 #include "base/error.hpp"

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <tbb/parallel_for.h>
 
 #include "mesh/union_find.hpp"

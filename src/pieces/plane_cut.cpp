@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "parting/halves/bodies.hpp"
 #include "parting/halves/depth_columns.hpp"

@@ -1,6 +1,5 @@
 #include "pieces/sample_access.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>

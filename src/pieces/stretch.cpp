@@ -1,7 +1,6 @@
 #include "pieces/stretch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>

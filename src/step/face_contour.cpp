@@ -1,6 +1,5 @@
 #include "step/face_contour.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <BRep_Tool.hxx>

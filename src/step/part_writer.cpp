@@ -1,8 +1,6 @@
 #include "step/part_writer.hpp"
 
-#include <algorithm>
 #include <cstddef>
-#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>

@@ -1,7 +1,6 @@
 #include "step/parting_shell.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>

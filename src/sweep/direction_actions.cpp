@@ -1,9 +1,7 @@
 #include "sweep/direction_actions.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdlib>
 
 #include <fmt/format.h>
 #include <tbb/parallel_pipeline.h>

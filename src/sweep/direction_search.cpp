@@ -1,7 +1,6 @@
 #include "sweep/direction_search.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "sweep/sweep_clock.hpp"

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>

@@ -2,10 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "base/check.hpp"
 #include "mold/direction.hpp"
