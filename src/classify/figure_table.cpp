@@ -12,6 +12,14 @@ namespace moldlight {
 namespace {
 /// Of the part's own measures: what is less is rounding.
 constexpr double k_least_shown_share = 1e-6;
+
+/// What would be written with six digits or more has zeros below the fourth.
+double four_digits(double value) {
+  constexpr double k_least = 99'999.5;
+  if (!(std::abs(value) >= k_least) || !std::isfinite(value)) return value;
+  const double last = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3.0);
+  return last * std::round(value / last);
+}
 }  // namespace
 
 void put_figures(const std::vector<FoundFigure>& figures, Json& json) {
@@ -52,8 +60,9 @@ std::string FigureStyle::text(FigureKind kind, double value) const {
     case FigureKind::angle:
       return fmt::format("{:.1f}°", value);
     case FigureKind::area:
-    case FigureKind::length:
     case FigureKind::volume:
+      return rounded(four_digits(value), least(kind));
+    case FigureKind::length:
     case FigureKind::number:
     case FigureKind::force:
     case FigureKind::actions:
@@ -91,7 +100,8 @@ std::string FigureStyle::unit(FigureKind kind) const {
 }
 
 std::string area_with_unit(const PartModel& model, double area) {
-  return grouped(rounded_area(area, model.geometry.total_area)) + " " + powered_unit(model.part, 2);
+  return grouped(rounded_area(four_digits(area), model.geometry.total_area)) + " " +
+         powered_unit(model.part, 2);
 }
 
 std::string FigureStyle::with_unit(FigureKind kind, double value) const {

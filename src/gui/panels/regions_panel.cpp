@@ -19,7 +19,6 @@ namespace moldlight::gui {
 namespace {
 
 constexpr float k_legend_row = 24.0F;
-constexpr double k_seen_share = 5e-6;  // of the surface: less is no doubt
 
 void draw_swatch(const Ui& ui, Region region, const LookSettings& look, const glm::vec2& min) {
   ImDrawList& list = window_list();
@@ -35,12 +34,13 @@ void draw_swatch(const Ui& ui, Region region, const LookSettings& look, const gl
   list.PopClipRect();
 }
 
-/// What was measured, and how it is written.
+/// What was measured.
 struct Legend {
+  const PartModel& model;
   const Classification& result;
-  FigureStyle style;
-  std::string unit;
   float alpha = 1.0F;
+
+  [[nodiscard]] std::string area(double area) const { return area_with_unit(model, area); }
 };
 
 /// Of a line "name … value unit": its corner, and where its texts end and begin.
@@ -82,10 +82,8 @@ void draw_region(const PanelContext& context, const Legend& legend, Region regio
   const ImU32 strong = faded(ui.colours->text, legend.alpha), quiet = faded(ui.colours->muted, legend.alpha);
   draw_text_to({ui.fonts.strong, strong}, line.right, line.top,
                fmt::format("{:.1f} %", 100.0 * share(area, legend.result.total_area)));
-  draw_text_to({ui.fonts.body, quiet}, line.right - ui.px(60), line.top,
-               grouped(legend.style.text(FigureKind::area, area)));
-  tooltip(ui, facts(region).title,
-          fmt::format("{}\n{}", facts(region).meaning, legend.style.with_unit(FigureKind::area, area)));
+  draw_text_to({ui.fonts.body, quiet}, line.right - ui.px(60), line.top, legend.area(area));
+  tooltip(ui, facts(region).title, fmt::format("{}\n{}", facts(region).meaning, legend.area(area)));
   copy_menu(ui, name.c_str(), real_text(area), line.pressed);
 }
 
@@ -96,9 +94,7 @@ void draw_total(const PanelContext& context, const Legend& legend) {
   window_list().AddLine(ImVec2(at.x, at.y + ui.px(1)), ImVec2(at.x + room_left(), at.y + ui.px(1)),
                         ui.colours->line);
   const Line line = begin_line(ui, line_place(ui, "total"), "Total", ui.colours->muted);
-  draw_text_to(ui.muted(), line.right, line.top, legend.unit);
-  draw_text_to(ui.muted(), line.right - ui.px(60), line.top,
-               grouped(legend.style.text(FigureKind::area, legend.result.total_area)));
+  draw_text_to(ui.muted(), line.right - ui.px(60), line.top, legend.area(legend.result.total_area));
   copy_menu(ui, "total", real_text(legend.result.total_area), line.pressed);
 }
 
@@ -109,7 +105,7 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
   const UndercutUncertainty& doubt = legend.result.uncertainty;
   const ShadowIdentity& shadow = legend.result.identity;
   const double visible = doubt.mesh + doubt.readout;
-  const bool in_doubt = visible > k_seen_share * legend.result.total_area;
+  const bool in_doubt = visible > 1e-6 * legend.result.total_area;  // else four digits do not show it
   const bool fine = shadow.agrees() && !(in_doubt && doubt.mesh > 0.0);
   const std::string_view name = in_doubt ? "Undercut ±" : shadow.agrees() ? "Areas checked" : "Check failed";
   const Line line =
@@ -119,18 +115,15 @@ void draw_trust(const PanelContext& context, const Legend& legend) {
               ui.px(12), faded(fine ? ui.colours->text : ui.colours->warning, legend.alpha));
   if (in_doubt)
     draw_text_to({ui.fonts.body, faded(ui.colours->text, legend.alpha)}, line.right - ui.px(60), line.top,
-                 grouped(legend.style.text(FigureKind::error, visible)));
+                 legend.area(visible));
   std::string text =
       fmt::format("Area of the part's shadow, computed in two ways: {} along +d, {} along −d. {}",
-                  legend.style.with_unit(FigureKind::area, shadow.core),
-                  legend.style.with_unit(FigureKind::area, shadow.cavity),
+                  legend.area(shadow.core), legend.area(shadow.cavity),
                   shadow.agrees() ? "They agree." : "They differ: the mesh is open or its winding is wrong.");
   if (doubt.mesh > 0.0)
-    text += fmt::format("\nFaults of the mesh leave {} of the undercut in doubt.",
-                        legend.style.with_unit(FigureKind::error, doubt.mesh));
+    text += fmt::format("\nFaults of the mesh leave {} of the undercut in doubt.", legend.area(doubt.mesh));
   if (doubt.readout > 0.0)
-    text += fmt::format("\nThe undercut of the readout is {} off the exact one.",
-                        legend.style.with_unit(FigureKind::error, doubt.readout));
+    text += fmt::format("\nThe undercut of the readout is {} off the exact one.", legend.area(doubt.readout));
   tooltip(ui, "Accuracy of the figures", text);
   copy_menu(ui, "trust", real_text(visible), line.pressed);
 }
@@ -253,11 +246,7 @@ void draw_regions_panel(const PanelContext& context) {
   const Figures& figures = context.state.figures;
   if (context.layout.begin(ui, "Verdict")) {
     if (figures.shown) {
-      const Classification& result = *figures.shown;
-      const Legend legend{.result = result,
-                          .style = FigureStyle(*context.state.model),
-                          .unit = powered_unit(context.state.model->part, 2),
-                          .alpha = figures.pale ? 0.4F : 1.0F};
+      const Legend legend{*context.state.model, *figures.shown, figures.pale ? 0.4F : 1.0F};
       draw_verdict(context);
       for (const Region region : k_regions) draw_region(context, legend, region);
       draw_total(context, legend);

@@ -48,6 +48,9 @@ TEST(FigureTable, WritesDigitsByKind) {
   EXPECT_EQ(style.heading("climb", FigureKind::length), "climb unit");
   EXPECT_EQ(style.change(FigureKind::area, 1e-9), "0");
   EXPECT_EQ(style.change(FigureKind::area, 1.5), "+1.5");
+  EXPECT_EQ(style.text(FigureKind::volume, 1'627'411.0), "1627000") << "four digits of what has many";
+  EXPECT_EQ(style.text(FigureKind::area, 98'765.0), "98765");
+  EXPECT_EQ(style.text(FigureKind::length, 1'627'411.0), "1627411") << "which may say where something is";
   EXPECT_EQ(style.point({1e-12, -2.0, 3.14159}), "0, -2, 3.142");
 }
 
