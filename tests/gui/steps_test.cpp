@@ -112,6 +112,44 @@ TEST_F(Steps, TheLightIsNotGreenWhileThereIsRed) {
   EXPECT_EQ(VerdictCard{}.light(), VerdictLight::gray) << "while nothing is known";
 }
 
+TEST_F(Steps, HaveNoTickWhileThereIsRed) {
+  const auto ticks = [](const AppState& of) {
+    return std::ranges::count_if(
+        step_rows(), [&](const StepRow& row) { return step_badge(of, row).kind == StepBadge::Kind::tick; });
+  };
+  enter(Step::mold);
+  settle();
+  ASSERT_TRUE(verdict_card(state()).red);
+  EXPECT_EQ(ticks(state()), 0);
+  AppState green = state();
+  green.verdict->state = VerdictState::two_plate;
+  green.figures.shown->areas[Region::undercut] = 0.0;
+  ASSERT_TRUE(verdict_card(green).good());
+  EXPECT_GT(ticks(green), 1) << "what is in order then has one";
+}
+
+TEST_F(Steps, StayWhereTheyAre) {
+  const auto places = [&] {
+    std::vector<ScreenBox> found;
+    for (const StepRow& row : step_rows()) found.push_back(window.control(fmt::format("step {}", row.title)));
+    return found;
+  };
+  const std::vector<ScreenBox> before = places();
+  const auto expect_same = [&](const char* when) {
+    const std::vector<ScreenBox> now = places();
+    for (std::size_t k = 0; k < now.size(); ++k)
+      EXPECT_TRUE(now[k].min == before[k].min && now[k].max == before[k].max) << k << " " << when;
+  };
+  enter(Step::mold);
+  window.frames(2);
+  expect_same("while halves are made");
+  settle();
+  expect_same("with a sign at the mold");
+  key({.key = k_right});
+  window.frames(2);
+  expect_same("while the direction moves");
+}
+
 TEST_F(Steps, TheVerdictLeadsToTheUndercuts) {
   click("verdict show");
   settle();

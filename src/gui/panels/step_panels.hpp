@@ -144,6 +144,8 @@ struct StepRow {
 };
 /// In the order of the strip.
 [[nodiscard]] const std::array<StepRow, 7>& step_rows();
+/// As the strip shows it: no tick while there is red in the picture.
+[[nodiscard]] StepBadge step_badge(const AppState& state, const StepRow& row);
 
 /// The panel on the left, with the controls of the step that is open.
 class StepPanels {

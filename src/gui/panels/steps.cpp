@@ -15,6 +15,7 @@ using Kind = StepBadge::Kind;
 
 // Layout units.
 constexpr float k_padding = 8.0F, k_badge_gap = 5.0F, k_icon = 11.0F, k_step_gap = 2.0F;
+constexpr std::string_view k_many = "99+";
 
 StepBadge part_badge(const AppState& state) {
   const std::size_t count = state.model->warnings.size();
@@ -68,61 +69,46 @@ StepBadge mold_badge(const AppState& state) {
 
 using Pictures = const StepPictures&;
 
-/// Beside the number and the title.
-float badge_width(const Ui& ui, const StepBadge& badge) {
-  float width = 0.0F;
-  if (badge.kind == Kind::tick || badge.kind == Kind::warning) width += ui.px(k_icon + k_badge_gap);
-  if (!badge.count.empty()) width += text_size(ui.fonts.small, badge.count).x + ui.px(k_badge_gap);
-  return width;
+std::string number_of(const StepRow& row) { return fmt::format("{}", 1 + static_cast<int>(row.step)); }
+
+/// With room for any badge, so that what comes and goes moves nothing.
+float width_of(const Ui& ui, const StepRow& row) {
+  const float gap = ui.px(k_badge_gap);
+  const bool counts = row.step == Step::undercuts || row.step == Step::draft;  // beside a sign
+  return 2.0F * ui.px(k_padding) + text_size(ui.fonts.small, number_of(row)).x + gap +
+         text_size(ui.fonts.body, row.title).x + (row.badge != nullptr ? gap + ui.px(k_icon) : 0.0F) +
+         (counts ? gap + text_size(ui.fonts.small, k_many).x : 0.0F);
 }
 
-struct StepPlace {
-  const StepRow& row;
-  StepBadge badge;
-  std::string number;
-  float width;
-};
-
-StepPlace place_of(const PanelContext& context, const StepRow& row) {
+void draw_place(const PanelContext& context, const StepRow& row) {
   const Ui& ui = context.ui;
-  StepPlace place{.row = row,
-                  .badge = row.badge != nullptr ? row.badge(context.state) : StepBadge(),
-                  .number = fmt::format("{}", 1 + static_cast<int>(row.step)),
-                  .width = 0.0F};
-  place.width = text_size(ui.fonts.small, place.number).x + ui.px(k_badge_gap) +
-                text_size(ui.fonts.body, row.title).x + badge_width(ui, place.badge) +
-                2.0F * ui.px(k_padding);
-  return place;
-}
-
-void draw_place(const PanelContext& context, const StepPlace& place) {
-  const Ui& ui = context.ui;
-  const bool here = context.state.step == place.row.step;
+  const StepBadge badge = step_badge(context.state, row);
+  const bool here = context.state.step == row.step;
   const Pressable item =
-      pressable(ui, fmt::format("step {}", place.row.title).c_str(), {place.width, ui.px(k_row_height)});
+      pressable(ui, fmt::format("step {}", row.title).c_str(), {width_of(ui, row), ui.px(k_row_height)});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (here || item.hovered)
     fill(list, item.box, here ? ui.colours->field_active : ui.colours->field_hovered, ui.px(6));
-  tooltip(ui, fmt::format("{} ({})", place.row.title, place.number),
-          place.badge.help.empty() ? std::string(place.row.help)
-                                   : fmt::format("{}\n{}", place.row.help, place.badge.help));
+  tooltip(ui, fmt::format("{} ({})", row.title, number_of(row)),
+          badge.help.empty() ? std::string(row.help) : fmt::format("{}\n{}", row.help, badge.help));
   float x = item.box.min.x + ui.px(k_padding);
   const float middle = item.box.centre().y;
   const auto write = [&](const Lettering& lettering, std::string_view text) {
     draw_text(list, lettering, {x, middle - 0.5F * lettering.font.size}, text);
     x += text_size(lettering.font, text).x + ui.px(k_badge_gap);
   };
-  write({ui.fonts.small, ui.colours->muted}, place.number);
-  write({ui.fonts.body, here ? ui.colours->text : ui.colours->muted}, place.row.title);
-  const bool warns = place.badge.kind == Kind::warning;
+  write({ui.fonts.small, ui.colours->muted}, number_of(row));
+  write({ui.fonts.body, here ? ui.colours->text : ui.colours->muted}, row.title);
+  const bool warns = badge.kind == Kind::warning;
   const ImU32 colour = warns ? ui.colours->warning : ui.colours->text;
-  if (warns || place.badge.kind == Kind::tick) {
+  if (warns || badge.kind == Kind::tick) {
     draw_icon(list, warns ? Icon::alert : Icon::check, {x + 0.5F * ui.px(k_icon), middle}, ui.px(k_icon),
               colour);
     x += ui.px(k_icon + k_badge_gap);
   }
-  if (!place.badge.count.empty()) write({ui.fonts.small, ui.colours->text}, place.badge.count);
-  if (item.clicked) context.edits.enter(place.row.step);
+  if (!badge.count.empty())
+    write({ui.fonts.small, ui.colours->text}, badge.count.size() > 2 ? k_many : badge.count);
+  if (item.clicked) context.edits.enter(row.step);
 }
 
 }  // namespace
@@ -158,16 +144,22 @@ const std::array<StepRow, 7>& step_rows() {
   return k_rows;
 }
 
+StepBadge step_badge(const AppState& state, const StepRow& row) {
+  StepBadge badge = row.badge != nullptr ? row.badge(state) : StepBadge();
+  if (badge.kind == Kind::tick && !verdict_card(state).good()) badge.kind = Kind::none;
+  return badge;
+}
+
 float strip_width(const PanelContext& context) {
   float width = 0.0F;
-  for (const StepRow& row : step_rows()) width += place_of(context, row).width + context.ui.px(k_step_gap);
+  for (const StepRow& row : step_rows()) width += width_of(context.ui, row) + context.ui.px(k_step_gap);
   return width;
 }
 
 void draw_strip(const PanelContext& context) {
   for (const StepRow& row : step_rows()) {
     if (row.step != Step::part) ImGui::SameLine(0.0F, context.ui.px(k_step_gap));
-    draw_place(context, place_of(context, row));
+    draw_place(context, row);
   }
 }
 
