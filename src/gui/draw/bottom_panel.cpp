@@ -8,7 +8,7 @@ namespace moldlight::gui {
 
 constexpr float k_item_gap = 4.0F, k_bar_gap = 6.0F;  // between items, layout units
 constexpr float k_heading_height = 20.0F;             // layout units
-constexpr float k_fewest_rows = 2.0F;
+constexpr float k_fewest_rows = 2.0F, k_list_margin = 24.0F;
 
 BottomHeader::BottomHeader(const Ui& ui, const char* name)
     : ui_(ui),
@@ -98,7 +98,8 @@ std::optional<std::size_t> RowCursor::follow(const Ui& ui, std::string_view id, 
 std::optional<std::size_t> draw_list(const Ui& ui, const RowList& list, RowCursor& cursor,
                                      const std::function<void(std::size_t)>& draw_row) {
   if (list.count == 0) return std::nullopt;
-  const float row = ui.px(list.row_height), room = list.share * screen_size().y;
+  const float below = screen_size().y - cursor_at().y - ImGui::GetScrollY() - ui.px(k_list_margin);
+  const float row = ui.px(list.row_height), room = std::min(list.share * screen_size().y, below);
   const float fits = std::max(std::floor(room / row), k_fewest_rows);
   const float height = std::min(fits, static_cast<float>(list.count)) * row;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));

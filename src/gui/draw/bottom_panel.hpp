@@ -68,7 +68,7 @@ class RowCursor {
   bool moved_ = false;
 };
 
-/// A list, at most `share` of the window's height high.
+/// A list, at most `share` of the window's height high, and in the window where its panel is not scrolled.
 struct RowList {
   const char* id;
   std::size_t count;
