@@ -9,7 +9,7 @@ uniform vec3 u_facet_edge_colour;
 uniform float u_level_step;  // between level lines on near-vertical facets; 0: none
 uniform vec3 u_level_colour;
 uniform vec3 u_cut_colour;
-uniform vec3 u_steel[3];     // core, cavity, insert
+uniform vec3 u_steel[16];    // core, cavity, insert; then what is moved
 uniform float u_cut_pitch;  // of its stripes, pixels
 uniform samplerBuffer t_positions;  // three floats a vertex, one a texel
 uniform usamplerBuffer t_corners;   // three vertices a facet, one a texel

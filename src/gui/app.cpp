@@ -251,7 +251,7 @@ void App::plan_next_frame() {
     next_frame_s_ = now_s_;
   // The chosen action's body moves out and back; in an opened mold nothing goes on moving.
   const bool loops = chosen_action(state_) != nullptr && open_now() == 0.0 && !shown_pieces(state_);
-  if (state_.window.motion && loops && !body_places(state_, 0.0, 0.0).empty())
+  if (state_.window.motion && loops && !body_places(state_, 0.0, 0.0, false).empty())
     next_frame_s_ = std::min(next_frame_s_, now_s_ + Loop::k_frame_s);
 }
 

@@ -184,9 +184,10 @@ class App {
   /// Whether the picture has the mold's steel, once that is known.
   [[nodiscard]] bool steel_wanted() const;
   [[nodiscard]] bool line_shown() const;
-  /// What a fit depends on beside the part: 0 without steel, else how far it opens.
+  /// What a fit depends on beside the part: 0 without steel, else how far it opens, and whether with slides.
   [[nodiscard]] double steel_fit() const {
-    return steel_wanted() ? 1.0 + state_.settings.look.open_mold : 0.0;
+    const auto& solids = state_.mold.solids;
+    return steel_wanted() ? (solids && solids->pieces ? 4.0 : 1.0) + state_.settings.look.open_mold : 0.0;
   }
   /// How far apart the parting arrows stand, as an opened mold moves them: out of its steel.
   [[nodiscard]] double arrows_apart(double open) const;

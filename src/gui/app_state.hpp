@@ -116,10 +116,13 @@ struct MoldLine : moldlight::MoldLine {
   MoldFrame frame = {};                              // of its block
 };
 
-/// The halves with their certificate, and as they are drawn.
+/// The halves with their certificate, with slides and lifters once these are made, and as they are drawn.
 struct MoldSolids {
-  MoldHalves halves;
-  std::vector<ViewSolid> shown;  // core, cavity, each insert; none where there are no halves
+  std::shared_ptr<const MoldHalves> plain;   // without slides
+  std::shared_ptr<const MoldPieces> pieces;  // null while they are not made
+  std::vector<ViewSolid> shown;  // core, cavity, what stands between them; none where there are no halves
+
+  [[nodiscard]] const MoldHalves& halves() const { return pieces ? pieces->halves : *plain; }
 };
 
 /// A mold of several pieces, what each forms of the part as it is drawn, then its solids.
@@ -136,8 +139,6 @@ struct MoldOfPieces {
 struct MoldState {
   std::shared_ptr<const MoldLine> line;
   std::shared_ptr<const MoldSolids> solids;
-  // What forms each insert of the solids, for the plan of side actions; none where it is not known.
-  std::shared_ptr<const std::vector<InsertActions>> by_action;
   std::vector<MoldOfPieces> pieces;                   // of two directions on, until they are enough
   bool line_awaited = false, solids_awaited = false;  // there will be others
   std::optional<JobStatus> running;                   // the search for one of them

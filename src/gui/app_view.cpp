@@ -79,14 +79,11 @@ void App::find_mold(bool moving) {
   MoldState& mold = state_.mold;
   const auto former = mold.line;
   const auto solids = mold.solids;
-  const auto by_action = mold.by_action;
   const std::size_t pieces = mold.pieces.size();
   study_.find_mold(
       state_, mold,
       {.moving = moving, .solids = steel_wanted() || is_at(state_, Step::mold) || presentation_});
-  if (mold.line == former && mold.solids == solids && mold.by_action == by_action &&
-      mold.pieces.size() == pieces)
-    return;
+  if (mold.line == former && mold.solids == solids && mold.pieces.size() == pieces) return;
   settle_frames_ = k_settle_frames;
   auto& loop = state_.mold_choices.loop;
   if (mold.line != former && loop)
@@ -164,6 +161,8 @@ SceneSettings App::scene_settings() const {
     shown.steel = {.shown = true,
                    .clear = state_.window.halves == HalvesLook::clear,
                    .opened = std::exchange(shown.open_mold, 0.0),
+                   .first = opened().slides,
+                   .last = opened().lifters,
                    .of = scene_->steel()};
     shown.arrows_apart = arrows_apart(shown.steel.opened);
   }
@@ -188,7 +187,7 @@ SceneSettings App::scene_settings() const {
   const double share = state_.window.motion ? action_loop_.at(now_s_) : k_resting_share;
   scene.bodies = sheets_     ? std::vector{nearer(state_.camera)}
                  : revision_ ? lit_places(state_, state_.camera)
-                             : body_places(state_, open_now(), share);
+                             : body_places(state_, open_now(), share, steel_wanted());
   if (state_.face) marks.chosen = state_.face->number;
   if (state_.hover) {
     marks.hovered = state_.faces->of_facet[state_.hover->point.facet];
@@ -211,8 +210,7 @@ bool App::draw(const ViewTarget& target) {
                                   : shown_bodies(state_));
     scene_->take_mold({.line = line_shown() ? state_.mold.line : nullptr,
                        .loop = state_.mold_choices.loop,
-                       .solids = state_.mold.solids,
-                       .by_action = state_.mold.by_action});
+                       .solids = state_.mold.solids});
     scene_->explain(state_.hover ? state_.hover->blocker : std::nullopt, state_.span);
     refining = scene_->draw(target, scene_settings()) || refining;
     while (film_ && refining) refining = scene_->draw(target, scene_settings());
@@ -285,7 +283,7 @@ std::vector<glm::vec3> App::points_shown(double open, bool steel) const {
   }
   auto whole = points_to_show(outermost, state_.settings.direction.unit(), opened.halves);
   if (open > 0.0) {
-    const std::vector<glm::vec3> moved = points_of_bodies(state_, open);
+    const std::vector<glm::vec3> moved = points_of_bodies(state_, open, steel);
     whole.insert(whole.end(), moved.begin(), moved.end());
   }
   return whole;

@@ -37,7 +37,8 @@ Study known_study(const AppState& state) {
   if (state.sweep.result) study.keep(state.sweep.result);
   if (!is_settled(state.mold)) return study;
   study.keep<moldlight::MoldLine>(state.mold.line);
-  study.keep(std::make_shared<const MoldHalves>(state.mold.solids->halves));
+  study.keep(state.mold.solids->plain);
+  if (questions.with_actions && state.mold.solids->pieces) study.keep(state.mold.solids->pieces);
   return study;
 }
 
@@ -385,12 +386,10 @@ void Commands::export_mold(const MoldPaths& paths) {
       fs::create_directories(fs::path(path).parent_path());
       write_lines(path, lines_to_write(study.model(), line->assignment, line->line));
     }
-    WrittenMold written = solids->halves.written;
+    WrittenMold written = solids->halves().written;
     if (!paths.folder.empty()) write_mold(paths.folder, paths.solids, study.model().part.unit, written);
     if (!paths.json.empty()) {
-      MoldHalves halves = solids->halves;
-      halves.written = written;  // with the files' names
-      study.keep(std::make_shared<const MoldHalves>(std::move(halves)));
+      keep_written(study, written, progress);  // with the files' names
       write_text(paths.json, mold_json(study, progress).dump(2) + "\n");
     }
     std::vector<std::string> names = paths.lines;

@@ -20,13 +20,22 @@ HalvesLine figure_line(const FigureStyle& style, const FoundFigure& figure) {
           .figure = with_minus(grouped(style.text(figure)) + (unit.empty() ? "" : " " + unit))};
 }
 
+/// "1 insert goes", "2 inserts go".
+std::string goes_text(std::size_t inserts) {
+  return plural(inserts, "insert") + (inserts == 1 ? " goes" : " go");
+}
+
 }  // namespace
 
 std::string halves_refusal(const SaidHalves& said) {
   const WrittenMold& written = said.halves.written;
   const auto& place = said.halves.refused_at ? said.halves.refused_at : written.refused_at;
-  return refusal_text(said.model, said.halves, written,
-                      place && said.line != nullptr ? loop_near(*said.line, *place) : std::string());
+  std::string text =
+      refusal_text(said.model, said.halves, written,
+                   place && said.line != nullptr ? loop_near(*said.line, *place) : std::string());
+  for (std::size_t flag = text.find(" (--"); flag != std::string::npos; flag = text.find(" (--", flag))
+    text.erase(flag, text.find(')', flag) + 1 - flag);
+  return sentence_of(text);
 }
 
 std::vector<HalvesLine> halves_lines(const SaidHalves& said) {
@@ -38,17 +47,21 @@ std::vector<HalvesLine> halves_lines(const SaidHalves& said) {
   for (const std::string& fault : half_faults(said.model, said.halves))
     lines.push_back({sentence_of(fault), true});
   for (const std::string& missed : missed_lines(said.model, said.halves)) lines.push_back({missed, true});
-  if (!unfilled_text(said.model, said.settings, said.halves).empty()) {
-    lines.push_back({fmt::format("Neither half forms {} in {}. Fill undercuts to export the halves.",
-                                 style.with_unit(FigureKind::volume, said.halves.insert_volume),
-                                 plural(said.halves.inserts.size(), "place")),
-                     true});
-  } else if (said.by_action != nullptr) {
-    const auto moved = std::ranges::count_if(
-        *said.by_action, [](const InsertActions& insert) { return !insert.actions.empty(); });
-    if (moved > 0)
-      lines.push_back({fmt::format("{} insert{} with side actions", moved, moved == 1 ? " goes" : "s go")});
+  if (said.by_action == nullptr) {
+    if (!unfilled_text(said.model, said.settings, said.halves).empty())
+      lines.push_back({fmt::format("Neither half forms {} in {}.",
+                                   style.with_unit(FigureKind::volume, said.halves.insert_volume),
+                                   plural(said.halves.inserts.size(), "place")),
+                       true});
+    return lines;
   }
+  std::size_t moved = 0, loose = 0;
+  for (std::size_t k = 0; k < said.by_action->size(); ++k) {
+    if (said.halves.inserts[k].kind != PieceKind::insert) continue;
+    ++((*said.by_action)[k].actions.empty() ? loose : moved);
+  }
+  if (moved > 0) lines.push_back({fmt::format("{} with side actions.", goes_text(moved))});
+  if (loose > 0) lines.push_back({fmt::format("{} with no side action.", goes_text(loose)), true});
   return lines;
 }
 

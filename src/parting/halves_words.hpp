@@ -20,10 +20,10 @@ struct SaidHalves {
   const MoldSettings& settings;
   const MoldHalves& halves;
   const PartingLine* line = nullptr;                      // null while it is not known
-  const std::vector<InsertActions>* by_action = nullptr;  // the same
+  const std::vector<InsertActions>* by_action = nullptr;  // of a mold with slides; else null
 };
 
-/// Why there are no halves, where, and what to change; empty where there are.
+/// Why there are no halves, where, and what to change, without flags of commands; empty where there are.
 [[nodiscard]] std::string halves_refusal(const SaidHalves& said);
 /// That alone where there are none.
 [[nodiscard]] std::vector<HalvesLine> halves_lines(const SaidHalves& said);

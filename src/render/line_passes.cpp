@@ -103,7 +103,8 @@ void draw_steel_edges(ViewTools& tools, const ViewFrame& frame) {
   const Colour ink = frame.settings.theme == Theme::dark ? Colour{14, 15, 18} : Colour{34, 38, 46};
   for (const ViewMesh::Solid& solid : tools.mesh.solids_around)
     draw_segments(tools, frame, solid.edges,
-                  {glm::vec4(screen_value(ink), opacity), 1.1, frame.steel_shift(solid.steel)}, std::nullopt);
+                  {glm::vec4(screen_value(ink), opacity), 1.1, frame.steel_shift(solid.motion)},
+                  std::nullopt);
 }
 
 void draw_tube(ViewTools& tools, const ViewFrame& frame, GLuint framebuffer) {

@@ -134,12 +134,21 @@ void PartView::set_bodies(std::span<const ViewBody> bodies) {
     tools_.mesh.bodies.push_back({{tools_.gl, body.vertices, body.facets}, body.colour});
 }
 
-void PartView::set_steel(std::span<const ViewSolid* const> solids) {
+void PartView::set_steel(std::span<const ViewSolid> solids) {
+  std::vector<Colour>& colours = tools_.mesh.moved_colours;
   tools_.mesh.solids_around.clear();
-  for (const ViewSolid* solid : solids)
-    tools_.mesh.solids_around.push_back({{tools_.gl, solid->body.vertices, solid->body.facets},
-                                         SegmentBuffer(tools_.gl, solid->edges),
-                                         solid->steel});
+  colours.clear();
+  for (const ViewSolid& solid : solids) {
+    auto colour = static_cast<std::size_t>(solid.steel);
+    if (solid.steel == Steel::moved) {
+      if (colours.size() < k_moved_colours) colours.push_back(solid.body.colour);
+      colour = k_steels + colours.size() - 1;
+    }
+    tools_.mesh.solids_around.push_back({{tools_.gl, solid.body.vertices, solid.body.facets},
+                                         SegmentBuffer(tools_.gl, solid.edges),
+                                         colour,
+                                         solid.motion});
+  }
 }
 
 void PartView::set_tube(std::span<const ViewSegment> line, std::span<const ViewSegment> chosen) {

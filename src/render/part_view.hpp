@@ -66,7 +66,7 @@ class PartView {
   /// Solids beside the part, to be shown as View::body_motions says.
   void set_bodies(std::span<const ViewBody> bodies);
   /// The steel of a mold, to be shown as ViewSettings::steel says, which must name another one then.
-  void set_steel(std::span<const ViewSolid* const> solids);
+  void set_steel(std::span<const ViewSolid> solids);
   /// The parting line as a tube over the finished picture, and of it the loop that is looked at.
   void set_tube(std::span<const ViewSegment> line, std::span<const ViewSegment> chosen);
   /// What ViewSettings::parting_line shows (see parting_line()).

@@ -84,8 +84,7 @@ const std::array<Rehearsal::Change, 22> Rehearsal::k_changes = {
     [](Rehearsal& of, const Cube&) { of.look_.settings.cut = CutPlane{.extent = 1.0}; },
     [](Rehearsal& of, const Cube& cube) {
       const ViewSolid solid = view_solid(cube.mesh, cube.frame, Steel::core);
-      const ViewSolid* const solids[] = {&solid};
-      of.view_.set_steel(solids);
+      of.view_.set_steel({&solid, 1});
       of.look_.settings.steel = {.shown = true, .of = 1};
     },
     [](Rehearsal& of, const Cube&) { of.look_.settings.steel.clear = true; },

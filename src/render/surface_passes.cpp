@@ -18,8 +18,8 @@ constexpr double k_openness_radius = 0.09, k_openness_share = 0.11;
 
 /// As shaders/view/surface_bits.glsl has them: what is no facet of the part.
 constexpr unsigned k_part_cut = 1;
-unsigned steel_number(Steel steel, bool cut) {
-  return 2U + 2U * static_cast<unsigned>(steel) + (cut ? 1U : 0U);
+unsigned steel_number(std::size_t colour, bool cut) {
+  return 2U + 2U * static_cast<unsigned>(colour) + (cut ? 1U : 0U);
 }
 
 /// A solid whose section is filled.
@@ -78,14 +78,14 @@ void draw_steel(ViewTools& tools, const ViewFrame& frame) {
   program.set("u_clip_from_unit", frame.clip_from_unit);
   if (cut) frame.set_section(program);
   for (const ViewMesh::Solid& solid : tools.mesh.solids_around) {
-    program.set("u_shift", frame.steel_shift(solid.steel));
-    program.set("u_number", steel_number(solid.steel, false));
+    program.set("u_shift", frame.steel_shift(solid.motion));
+    program.set("u_number", steel_number(solid.colour, false));
     solid.triangles.draw(tools.gl);
   }
   if (!cut) return;
   for (const ViewMesh::Solid& solid : tools.mesh.solids_around)
     draw_cut(tools, frame,
-             {solid.triangles, steel_number(solid.steel, true), frame.steel_shift(solid.steel)});
+             {solid.triangles, steel_number(solid.colour, true), frame.steel_shift(solid.motion)});
 }
 
 constexpr double k_hatch_pitch_px = 7.0, k_hatch_strength = 0.30;
@@ -140,7 +140,7 @@ void draw_studio(ViewTools& tools, const ViewFrame& frame) {
   tools.corners.draw();
 }
 
-void set_detail(const gl::Program& program, const ViewFrame& frame) {
+void set_detail(const gl::Program& program, const ViewFrame& frame, const ViewMesh& mesh) {
   const ViewSettings& settings = frame.settings;
   const PartBuffers& part = frame.subject.part;
   const double length = pixel_length(frame.camera, frame.size);
@@ -166,6 +166,8 @@ void set_detail(const gl::Program& program, const ViewFrame& frame) {
   program.set("u_cut_colour", light_value(k_cut_surface));
   for (std::size_t k = 0; k < k_steels; ++k)
     program.set(element("u_steel", k), light_value(steel_colour(static_cast<Steel>(k), settings.palette)));
+  for (std::size_t k = 0; k < mesh.moved_colours.size(); ++k)
+    program.set(element("u_steel", k_steels + k), light_value(moved_steel_colour(mesh.moved_colours[k])));
   program.set("u_cut_pitch", k_cut_pitch_px * settings.pixel_scale);
   const glm::dmat4 to_pixels = glm::scale(glm::dmat4(1.0), glm::dvec3(0.5 * glm::dvec2(frame.size), 1.0)) *
                                glm::translate(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, 0.0));
@@ -319,7 +321,7 @@ void shade(ViewTools& tools, const ViewFrame& frame) {
   const bool steel = frame.layer == Layer::steel;
   const double part = ghost ? 1.0 - settings.transparency : 1.0;
   program.set("u_opacity", steel ? glm::vec3(0.0, 0.0, k_clear_steel) : glm::vec3(part, 1.0, 1.0));
-  if (detail) set_detail(program, frame);
+  if (detail) set_detail(program, frame, tools.mesh);
   tools.corners.draw();
 }
 

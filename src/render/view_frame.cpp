@@ -80,11 +80,6 @@ std::vector<Piece> ViewFrame::pieces() const {
           {-moved, bit(Region::cavity)}};
 }
 
-glm::vec3 ViewFrame::steel_shift(Steel steel) const {
-  const double way = steel == Steel::core ? 1.0 : steel == Steel::cavity ? -1.0 : 0.0;
-  return glm::vec3(way * settings.steel.opened * k_mold_travel * direction);
-}
-
 bool ViewFrame::exact() const {
   return subject.split != nullptr && (subject.maps == nullptr || settings.regions_by == RegionsBy::exact);
 }

@@ -55,7 +55,9 @@ struct ViewFrame : ViewInputs {
     return settings.steel.shown && (settings.steel.clear ? layer == Layer::steel : layer == Layer::whole);
   }
   /// By which a body of the mold has moved, unit frame.
-  [[nodiscard]] glm::vec3 steel_shift(Steel steel) const;
+  [[nodiscard]] glm::vec3 steel_shift(const SteelMotion& motion) const {
+    return glm::vec3(motion.shift(settings.steel, direction));
+  }
   /// True if the split surface's own regions are shown.
   [[nodiscard]] bool exact() const;
   /// The define that the maps' look-ups want; may be empty.

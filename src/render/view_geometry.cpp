@@ -249,7 +249,8 @@ ViewBody view_body(const TriangleMesh& mesh, const UnitFrame& frame, Colour colo
 }
 
 ViewSolid view_solid(const TriangleMesh& mesh, const UnitFrame& frame, Steel steel) {
-  ViewSolid solid{.body = view_body(mesh, frame, {}), .steel = steel, .edges = {}};
+  const double half = steel == Steel::core ? 1.0 : steel == Steel::cavity ? -1.0 : 0.0;
+  ViewSolid solid{.body = view_body(mesh, frame, {}), .steel = steel, .edges = {}, .motion = {.half = half}};
   for (const EdgeEnds& edge : crease_edges(mesh, facet_geometry(mesh), build_adjacency(mesh)))
     solid.edges.push_back({frame.to_unit(mesh.vertices[edge.a]), frame.to_unit(mesh.vertices[edge.b])});
   return solid;

@@ -100,11 +100,23 @@ struct ViewBody {
 /// A closed mesh in the part's unit, each facet flat.
 [[nodiscard]] ViewBody view_body(const TriangleMesh& mesh, const UnitFrame& frame, Colour colour);
 
+/// How a body of steel moves while its mold opens: with a half, and out along a way of its own.
+struct SteelMotion {
+  double half = 0.0;    // 1: with the core, along the direction; -1: with the cavity
+  glm::dvec3 way{0.0};  // unit frame
+  bool first = true;    // before the halves, else after them
+
+  /// Unit frame, for a unit direction.
+  [[nodiscard]] glm::dvec3 shift(const SteelLook& look, const glm::dvec3& direction) const {
+    return half * look.opened * k_mold_travel * direction + (first ? look.first : look.last) * way;
+  }
+};
 /// A body of steel around the part, which is surface of the picture itself.
 struct ViewSolid {
-  ViewBody body;
+  ViewBody body;  // its colour is that of what is moved
   Steel steel = Steel::core;
   std::vector<ViewSegment> edges;  // sharper than the crease angle
+  SteelMotion motion;              // that of a half is known
 };
 /// A closed mesh in the part's unit, each facet flat.
 [[nodiscard]] ViewSolid view_solid(const TriangleMesh& mesh, const UnitFrame& frame, Steel steel);

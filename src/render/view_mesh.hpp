@@ -46,6 +46,9 @@ class TriangleBuffer {
   gl::VertexArray triangles_;
 };
 
+/// So many colours of moved steel has the shading beside those of Steel; the last is for all others.
+inline constexpr std::size_t k_moved_colours = 13;
+
 /// A surface whose regions are known (see split_geometry()), and the classes of the part's facets for its
 /// direction. Valid for one context.
 class SplitSurface {
@@ -108,10 +111,12 @@ struct ViewMesh {
   struct Solid {
     TriangleBuffer triangles;
     SegmentBuffer edges;
-    Steel steel;
+    std::size_t colour = 0;  // its place among those of the shading: by Steel, then those that are moved
+    SteelMotion motion;
   };
-  std::vector<Solid> solids_around;  // of a mold
-  SegmentBuffer tube, chosen_tube;   // the mold's parting line, and the loop of it that is looked at
+  std::vector<Solid> solids_around;   // of a mold
+  std::vector<Colour> moved_colours;  // of those that are moved, at most k_moved_colours
+  SegmentBuffer tube, chosen_tube;    // the mold's parting line, and the loop of it that is looked at
   FaceNumbers faces;
 };
 

@@ -14,6 +14,8 @@ Colour mixed(Colour a, Colour b, double share) {
   return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
 }
 
+constexpr Colour k_steel = {196, 200, 206};
+
 }  // namespace
 
 glm::vec3 screen_value(Colour colour) {
@@ -32,12 +34,13 @@ BackdropColours backdrop_colours(Theme theme) {
 }
 
 Colour steel_colour(Steel steel, Palette palette) {
-  constexpr Colour k_steel = {196, 200, 206};
   const Region formed = steel == Steel::core     ? Region::core
                         : steel == Steel::cavity ? Region::cavity
                                                  : Region::undercut;
   return mixed(region_colour(formed, palette), k_steel, 0.55);
 }
+
+Colour moved_steel_colour(Colour own) { return mixed(own, k_steel, 0.4); }
 
 DraftScale draft_scale(double required_deg, Palette palette) {
   const double some = std::max(3.0, 2.0 * required_deg), much = std::max(10.0, 4.0 * required_deg);

@@ -11,9 +11,10 @@
 
 namespace moldlight {
 
-/// Which body of a mold: a half, or what is left to a loose insert.
-enum class Steel : std::uint8_t { core, cavity, insert };
-inline constexpr std::size_t k_steels = 3;
+/// Which body of a mold: a half, what is left to a loose insert, or what an action moves, with a colour of
+/// its own.
+enum class Steel : std::uint8_t { core, cavity, insert, moved };
+inline constexpr std::size_t k_steels = 3;  // of one colour each
 
 enum class Theme : std::uint8_t { dark, light };
 /// What the surface is coloured by; plain is for pictures that show no region, and nobody's choice.
@@ -65,9 +66,10 @@ struct CutPlane {
 /// How the steel of a mold is shown, where a picture has it: around the part, which then stays whole.
 struct SteelLook {
   bool shown = false;
-  bool clear = false;    // the part shows through
-  double opened = 0.0;   // [0, 1], of k_mold_travel
-  std::uint64_t of = 0;  // another for every steel
+  bool clear = false;              // the part shows through
+  double opened = 0.0;             // [0, 1], of k_mold_travel
+  double first = 0.0, last = 0.0;  // [0, 1], of the ways of what moves before the halves, and after them
+  std::uint64_t of = 0;            // another for every steel
 
   bool operator==(const SteelLook&) const = default;
 };
@@ -130,6 +132,8 @@ struct DraftScale {
 
 /// Of a body of the mold: a paler sister of the colour of what it forms.
 [[nodiscard]] Colour steel_colour(Steel steel, Palette palette);
+/// The same of a body that is moved, which has a colour of its own.
+[[nodiscard]] Colour moved_steel_colour(Colour own);
 
 inline constexpr Colour k_plain_surface = {199, 203, 209};
 inline constexpr Colour k_cut_surface = {176, 170, 160};

@@ -8,8 +8,10 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "actions/actions_files.hpp"
 #include "gui/panels/panels.hpp"
 #include "gui/view/mold_view.hpp"
+#include "gui/view/side_actions.hpp"
 #include "gui/window_with_part.hpp"
 #include "io/mesh_writer.hpp"
 #include "parting/make_halves.hpp"
@@ -209,7 +211,7 @@ TEST_F(Mold, OpensAsSolidsThatFitThePart) {
   window.wait_until_measured();
   window.settle();
   ASSERT_TRUE(mold().solids) << mold().error;
-  const MoldHalves& halves = mold().solids->halves;
+  const MoldHalves& halves = mold().solids->halves();
   ASSERT_TRUE(halves.made()) << halves.refusal;
   EXPECT_LT(std::abs(halves.volume_gap), 1e-9);
   ASSERT_EQ(mold().solids->shown.size(), 2U);
@@ -279,7 +281,7 @@ TEST_F(Mold, TakesAHeightByHand) {
   EXPECT_NEAR(*asked().parting_height, wanted, 0.15);
   EXPECT_NEAR(mold().line->line.loops[0].low, *asked().parting_height, 1e-9);
   // All that the halves share with the block's sides lies at that height: the cavity's ends there.
-  const Bounds cavity = bounds(mold().solids->halves.cavity.mesh);
+  const Bounds cavity = bounds(mold().solids->halves().cavity.mesh);
   EXPECT_NEAR(state().model->frame.center.z + cavity.max.z, *asked().parting_height, 1e-3);
   undo();
   EXPECT_FALSE(asked().parting_height) << "a drag is one step";
@@ -374,7 +376,7 @@ TEST_F(Mold, SaysWhichFacesTheHalvesCannotFormAsAsked) {
   open(k_box_part);
   unfold();
   ASSERT_TRUE(mold().solids) << mold().error;
-  const auto missed = missed_lines(*state().model, mold().solids->halves);
+  const auto missed = missed_lines(*state().model, mold().solids->halves());
   ASSERT_EQ(missed.size(), 1U);
   const auto lines = halves_lines(state());
   EXPECT_TRUE(std::ranges::any_of(
@@ -386,10 +388,11 @@ TEST_F(Mold, HalvesThatCrossThemselvesAreInDoubt) {
   unfold();
   ASSERT_TRUE(mold().solids) << mold().error;
   AppState doubtful = state();
-  MoldSolids solids = *mold().solids;
-  solids.halves.cavity.nonmanifold_edges = 3;
+  MoldHalves halves = mold().solids->halves();
+  halves.cavity.nonmanifold_edges = 3;
+  EXPECT_FALSE(halves.certified());
+  MoldSolids solids{.plain = std::make_shared<const MoldHalves>(halves), .pieces = nullptr, .shown = {}};
   doubtful.mold.solids = std::make_shared<const MoldSolids>(solids);
-  EXPECT_FALSE(solids.halves.certified());
   const auto doubts = [](const AppState& shown) {
     return std::ranges::count_if(halves_lines(shown), &HalvesLine::doubt);
   };
@@ -421,20 +424,46 @@ TEST_F(Mold, IsExportedAsTheCommandWritesIt) {
   EXPECT_EQ(json["loops"].size(), 1U);
 }
 
-TEST_F(Mold, IsRefusedWithWhatStandsInTheWay) {
+TEST_F(Mold, OpensWithItsSlidesAsSolids) {
+  window.app().open((moldlight::test::asset_folder() / "parts" / "enclosure_lid.stl").string());
+  window.wait_until_loaded();
+  key({.key = 'O'});
   window.wait_until_measured();
-  unfold();
-  ASSERT_TRUE(mold().solids);
-  ASSERT_FALSE(mold().solids->halves.inserts.empty()) << "the part has an undercut";
-  ASSERT_FALSE(halves_lines(state()).empty());
-  EXPECT_TRUE(halves_lines(state()).back().doubt);
-  EXPECT_NE(halves_lines(state()).back().text.find(" in 1 place."), std::string::npos)
-      << halves_lines(state()).back().text;
-  click("mold options");
-  click("Fill undercuts");
-  window.wait_until_measured();
-  EXPECT_FALSE(halves_lines(state()).back().doubt);
+  window.settle();
+  ASSERT_TRUE(mold().solids) << mold().error;
+  ASSERT_TRUE(mold().solids->pieces) << "made in the background";
+  const MoldHalves& halves = mold().solids->halves();
+  ASSERT_EQ(halves.count(PieceKind::slide), 1U);
+  EXPECT_LT(halves.core.volume + halves.cavity.volume,
+            mold().solids->plain->core.volume + mold().solids->plain->cavity.volume)
+      << "its room is taken out of the halves";
+  const auto& shown = mold().solids->shown;
+  const auto slide = std::ranges::find(shown, Steel::moved, &ViewSolid::steel);
+  ASSERT_NE(slide, shown.end());
+  const SteelLook opened{.opened = 1.0, .first = 1.0, .last = 1.0};
+  const glm::dvec3 shift = slide->motion.shift(opened, state().settings.direction.unit());
+  const SideAction& action = state().actions.plan->actions[halves.inserts.front().action];
+  EXPECT_NEAR(glm::dot(shift, action.direction) * state().model->frame.diagonal, action.travel, 1e-6);
+  EXPECT_NEAR(glm::dot(shift, state().settings.direction.unit()),
+              action.core_side ? k_mold_travel : -k_mold_travel, 1e-6)
+      << "with its half";
+  const auto places = body_places(state(), 1.0, 1.0, true);
+  ASSERT_FALSE(places.empty());
+  EXPECT_EQ(places[0][0][0], 0.0) << "the steel is there in place of what shows its way";
+  EXPECT_EQ(body_places(state(), 1.0, 1.0, false)[0][0][0], 1.0);
+  // Its face beside the part is where the picture has its colour.
+  glm::vec3 middle(0.0F);
+  for (const ViewVertex& vertex : slide->body.vertices)
+    middle += vertex.position / static_cast<float>(slide->body.vertices.size());
+  const auto pixel = project(state().camera, window.size(), glm::dvec3(middle) + shift);
+  const Colour own = action_colour(halves.inserts.front().action);
+  const auto seen = colour_at(glm::vec2(pixel.value_or(glm::dvec2(-1.0))));
+  const auto most = [](int r, int g, int b) { return r >= g && r >= b ? 0 : g >= b ? 1 : 2; };
+  EXPECT_EQ(most(seen[0], seen[1], seen[2]), most(own.r, own.g, own.b));
+}
 
+TEST_F(Mold, IsRefusedWithWhatStandsInTheWay) {
+  unfold();
   open(k_open_box);
   window.wait_until_measured();
   ASSERT_EQ(halves_lines(state()).size(), 1U);

@@ -159,7 +159,7 @@ TEST_F(SideActions, MoveInTheirOrderWhileTheMoldOpens) {
   const auto open_to = [&](float share) {
     const ScreenBox box = window.control("Opened");
     drag(slider, {glm::mix(box.min.x, box.max.x, share), slider.y});
-    return body_places(state(), state().settings.look.open_mold, 0.0);
+    return body_places(state(), state().settings.look.open_mold, 0.0, true);
   };
   const auto opened = [&] { return opened_mold(&plan(), state().settings.look.open_mold); };
   const auto early = open_to(0.08F);
@@ -200,7 +200,7 @@ TEST_F(SideActions, AreSeenWholeInTheShotThatOpensTheMold) {
     EXPECT_TRUE(pixel.x > 0.0 && pixel.y > 0.0 && pixel.x < 1280.0 && pixel.y < 720.0)
         << pixel.x << ", " << pixel.y;
   };
-  for (const glm::vec3& corner : points_of_bodies(state(), 1.0)) expect_seen(corner);
+  for (const glm::vec3& corner : points_of_bodies(state(), 1.0, true)) expect_seen(corner);
   for (const glm::vec3& corner : block_corners(state())) {
     const float side = glm::dot(corner, way) < 0.0F ? -1.0F : 1.0F;
     expect_seen(corner + side * way);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "actions/actions_files.hpp"
+#include "actions/mold_opening.hpp"
 #include "pieces/pieces_report.hpp"
 #include "sweep/mold_ranking.hpp"
 
@@ -54,16 +55,40 @@ MoldLine shown_line(Study study, const Progress& progress) {
   return found;
 }
 
+/// How a solid that an action moves leaves its mold.
+SteelMotion motion_of(const SideAction& action, double diagonal) {
+  const bool first = goes_first(action);
+  return {.half = !first             ? 0.0
+                  : action.core_side ? 1.0
+                                     : -1.0,
+          .way = action.travel / diagonal * action.direction,
+          .first = first};
+}
+
+/// With the slides and lifters of the study's plan, where that is known.
 MoldSolids shown_solids(Study study, const Progress& progress) {
-  MoldSolids found{.halves = study.find<MoldHalves>(progress), .shown = {}};
-  const MoldHalves& halves = found.halves;
-  const auto show = [&](const MoldBody& body, Steel steel) {
-    found.shown.push_back(view_solid(in_part(halves, body.mesh), study.model().frame, steel));
+  const auto plan = study.known<ActionPlan>();
+  static_cast<void>(study.find<MoldHalves>(progress));
+  if (plan) static_cast<void>(study.find<MoldPieces>(progress));
+  MoldSolids found{.plain = study.known<MoldHalves>(), .pieces = study.known<MoldPieces>(), .shown = {}};
+  const MoldHalves& halves = found.halves();
+  const UnitFrame& frame = study.model().frame;
+  const auto show = [&](const MoldBody& body, Steel steel) -> ViewSolid& {
+    return found.shown.emplace_back(view_solid(in_part(halves, body.mesh), frame, steel));
   };
   if (!halves.made()) return found;
   show(halves.core, Steel::core);
   show(halves.cavity, Steel::cavity);
-  for (const MoldBody& insert : halves.inserts) show(insert, Steel::insert);
+  for (std::size_t k = 0; k < halves.inserts.size(); ++k) {
+    const MoldBody& body = halves.inserts[k];
+    if (body.kind != PieceKind::insert) {
+      ViewSolid& solid = show(body, Steel::moved);
+      solid.body.colour = action_colour(body.action);
+      solid.motion = motion_of(plan->actions[body.action], frame.diagonal);
+    } else if (!plan || found.pieces->of_inserts[k].actions.empty()) {
+      show(body, Steel::insert);  // what other actions form moves as their bodies
+    }
+  }
   return found;
 }
 
@@ -173,10 +198,10 @@ void StudyFinder::find_mold(const AppState& state, MoldState& mold, const Wants&
     find_line(state, mold, wants.moving);
     find_solids(state, mold, wants);
   }
-  find_inserts(state, mold);
   find_pieces(state, mold, wants.moving);
   mold.running.reset();
   if (pieces_job_.running()) mold.running = pieces_job_.status();
+  if (slides_job_.running()) mold.running = slides_job_.status();
   if (solids_job_.running()) mold.running = solids_job_.status();
   if (line_job_.running()) mold.running = line_job_.status();
 }
@@ -230,24 +255,32 @@ void StudyFinder::find_solids(const AppState& state, MoldState& mold, const Want
     mold.solids.reset();
     if (outcome->result) mold.solids = std::make_shared<const MoldSolids>(std::move(*outcome->result));
   }
-  mold.solids_awaited = wants.solids && mold.error.empty() && state.figures.error.empty() &&
-                        (solids_of_ ? solids_job_.running() : !wants.moving);
+  find_slides(state, mold, wants);
+  mold.solids_awaited =
+      wants.solids && mold.error.empty() && state.figures.error.empty() &&
+      (solids_of_ ? solids_job_.running() || slides_job_.running() || state.actions.awaited : !wants.moving);
 }
 
-void StudyFinder::find_inserts(const AppState& state, MoldState& mold) {
-  const auto& plan = state.actions.plan;
-  if (const Sources sources{mold.solids, plan}; inserts_of_ != sources) {
-    inserts_job_.give_up();
-    mold.by_action.reset();
-    inserts_of_ = sources;
-    if (mold.solids && plan && state.figures.split && !mold.solids->halves.inserts.empty()) {
-      inserts_job_.start([solids = mold.solids, plan, split = state.figures.split](const Progress&) {
-        return actions_of_inserts(solids->halves, *split, *plan);
-      });
+void StudyFinder::find_slides(const AppState& state, MoldState& mold, const Wants& wants) {
+  const auto plan = is_settled(state.actions) ? state.actions.plan : nullptr;
+  const auto plain = mold.solids ? mold.solids->plain : nullptr;
+  const Sources sources{plain, plan, state.figures.split};
+  if (slides_of_ != sources || (!wants.solids && slides_job_.running())) {
+    slides_job_.give_up();
+    slides_of_ = {};
+    if (wants.solids && !wants.moving && is_measured(state) && plan && plain && !plain->inserts.empty()) {
+      slides_of_ = sources;
+      Study study = measured_study(state);
+      study.keep<moldlight::MoldLine>(mold.line);
+      study.keep(plain);
+      study.keep(plan);
+      slides_job_.start([study](const Progress& progress) { return shown_solids(study, progress); });
     }
   }
-  if (auto outcome = inserts_job_.take(); outcome && outcome->result)
-    mold.by_action = std::make_shared<const std::vector<InsertActions>>(std::move(*outcome->result));
+  if (auto outcome = slides_job_.take()) {
+    mold.error = std::move(outcome->error);
+    if (outcome->result) mold.solids = std::make_shared<const MoldSolids>(std::move(*outcome->result));
+  }
 }
 
 void StudyFinder::find_pieces(const AppState& state, MoldState& mold, bool moving) {

@@ -26,7 +26,7 @@ class StudyFinder {
         changes_job_({.wake = wake}),
         line_job_({.wake = wake, .wake_for_progress = true}),
         solids_job_({.wake = wake, .wake_for_progress = true}),
-        inserts_job_({.wake = wake}),
+        slides_job_({.wake = wake, .wake_for_progress = true}),
         pieces_job_({.wake = wake, .wake_for_progress = true}) {}
 
   /// A hand at settings: lines follow it one after the other, side actions and halves wait. `solids`: the
@@ -46,7 +46,7 @@ class StudyFinder {
     changes_job_.give_up();
     line_job_.give_up();
     solids_job_.give_up();
-    inserts_job_.give_up();
+    slides_job_.give_up();
     pieces_job_.give_up();
   }
 
@@ -65,15 +65,15 @@ class StudyFinder {
   static FoundPlan find_plan(Study study, const Progress& progress);
   void find_line(const AppState& state, MoldState& mold, bool moving);
   void find_solids(const AppState& state, MoldState& mold, const Wants& wants);
-  void find_inserts(const AppState& state, MoldState& mold);
+  /// Once halves and plan are there: both are made anew around what the plan moves.
+  void find_slides(const AppState& state, MoldState& mold, const Wants& wants);
   void find_pieces(const AppState& state, MoldState& mold, bool moving);
   void find_cards(AppState& state);
 
   Job<FoundPlan> plan_job_;
   Job<std::shared_ptr<const Changes>> changes_job_;
   Job<MoldLine> line_job_;
-  Job<MoldSolids> solids_job_;
-  Job<std::vector<InsertActions>> inserts_job_;
+  Job<MoldSolids> solids_job_, slides_job_;
   Job<std::vector<MoldOfPieces>> pieces_job_;
   // For which the job runs or has ended.
   std::optional<Inputs<ActionPlan>> plan_of_;
@@ -83,7 +83,7 @@ class StudyFinder {
   std::shared_ptr<const SplitMesh> planned_, lined_;  // of which there is a plan, a line
   Asked<moldlight::MoldLine>::Inputs line_inputs_;    // of that line
   using Sources = std::array<std::shared_ptr<const void>, 3>;
-  Sources inserts_of_;  // solids, plan
+  Sources slides_of_;   // the halves without slides, the plan, the split mesh
   Sources cards_of_;    // the sweep's result, plan and parting line; of these none while they are not settled
   Sources verdict_of_;  // the part, its plan where that is settled
   std::uint64_t verdict_figures_ = 0;

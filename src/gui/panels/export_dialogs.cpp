@@ -91,18 +91,13 @@ void MoldExportDialog::draw(const PanelContext& context) {
   bool solids = false;
   const auto rows = [&]() -> PathDialog::Ready {
     const bool ready = is_settled(state.mold);
-    bool& fill = context.edits.settings.mold.fill_undercut;
-    const bool unfilled = ready && !state.mold.solids->halves.inserts.empty() && !fill;
-    std::string refusal = ready ? halves_refusal(state) : std::string();
-    if (refusal.empty() && unfilled)
-      refusal = "Neither half forms the undercuts. Fill them to export the halves.";
+    const std::string refusal = ready ? halves_refusal(state) : std::string();
     ImGui::BeginDisabled(!refusal.empty());
     toggle(ui, {"Halves and inserts (STL each)"}, solids_);
     toggle(ui, {"All of them in one 3MF"}, together_.as_3mf);
     toggle(ui, {"All of them in one STEP"}, together_.as_step);
     ImGui::EndDisabled();
     if (!refusal.empty()) hint(ui, refusal);
-    if (unfilled) toggle(ui, {"Fill undercuts"}, fill);
     hint(ui, "Parting line:");
     std::vector<std::string_view> extensions;
     for (const auto& format : line_formats()) extensions.push_back(format.extension);

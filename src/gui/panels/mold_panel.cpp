@@ -189,25 +189,17 @@ SaidHalves said_halves(const AppState& state) {
   const MoldState& mold = state.mold;
   return {.model = *state.model,
           .settings = state.settings.mold,
-          .halves = mold.solids->halves,
+          .halves = mold.solids->halves(),
           .line = mold.line ? &mold.line->line : nullptr,
-          .by_action = mold.by_action.get()};
+          .by_action = mold.solids->pieces ? &mold.solids->pieces->of_inserts : nullptr};
 }
 
 }  // namespace
 
-std::string halves_refusal(const AppState& state) {
-  std::string text = halves_refusal(said_halves(state));
-  // Flags mean nothing here.
-  for (std::size_t flag = text.find(" (--"); flag != std::string::npos; flag = text.find(" (--", flag))
-    text.erase(flag, text.find(')', flag) + 1 - flag);
-  return sentence_of(text);
-}
+std::string halves_refusal(const AppState& state) { return halves_refusal(said_halves(state)); }
 
 std::vector<HalvesLine> halves_lines(const AppState& state) {
-  if (!state.mold.solids) return {};
-  if (const std::string refusal = halves_refusal(state); !refusal.empty()) return {{refusal, true}};
-  return halves_lines(said_halves(state));
+  return state.mold.solids ? halves_lines(said_halves(state)) : std::vector<HalvesLine>();
 }
 
 void draw_line_panel(const PanelContext& context, TableBar& bar) {
@@ -233,9 +225,9 @@ void draw_mold_panel(const PanelContext& context, TableBar& bar) {
       .options_hint = "Settings of the mold",
       .news = mold_news(mold, mold.running || mold.line_awaited || mold.solids_awaited,
                         pieces != nullptr ? with_minus(pieces_sentence(*context.state.model, *pieces->result))
-                        : !is_settled(mold)          ? ""
-                        : mold.solids->halves.made() ? "Both halves are made and checked."
-                                                     : "No halves can be made."),
+                        : !is_settled(mold)            ? ""
+                        : mold.solids->halves().made() ? "Both halves are made and checked."
+                                                       : "No halves can be made."),
       .settings = [&] { draw_mold_settings(context); }};
   parts.table = [&](RowCursor&) {
     draw_pieces(context);
@@ -243,8 +235,6 @@ void draw_mold_panel(const PanelContext& context, TableBar& bar) {
     ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
     draw_lines(context, halves_lines(context.state), mold.solids_awaited ? 0.6F : 1.0F);
     ImGui::Dummy(ImVec2(1.0F, ui.px(2)));
-    if (mold.solids && !mold.solids->halves.inserts.empty())
-      option_row(ui, option_named(mold_options(), "fill_undercut"), context.edits.settings.mold);
     if (button(ui, "Export the mold…", {.width = room_left()})) context.edits.dialogs.exporting_mold = true;
     name_item(ui, "export mold");
   };

@@ -138,7 +138,8 @@ HeightRange height_range(const AppState& state) {
 }
 
 std::optional<HeightHandle> height_handle(const AppState& state, const FreeArea& free) {
-  if (!looks_at_line(state) || !state.mold.line || state.dialogs.panels_hidden) return std::nullopt;
+  const bool asked = looks_at_line(state) && state.settings.look.open_mold == 0.0;
+  if (!asked || !state.mold.line || state.dialogs.panels_hidden) return std::nullopt;
   const UnitFrame& unit = state.model->frame;
   const glm::dvec3& d = state.settings.direction.unit();
   const MoldFrame frame = frame_of(state);
@@ -154,7 +155,6 @@ std::optional<HeightHandle> height_handle(const AppState& state, const FreeArea&
   const auto to_the_right = [&](const glm::dvec3& place) {
     return glm::dot(place, state.camera.right()) + 1e-3 * glm::dot(place, state.camera.toward_viewer());
   };
-  handle.at = *std::ranges::max_element(handle.outline, {}, to_the_right);
   constexpr int k_outline_places = 64;  // a side of the outline
   std::optional<glm::dvec3> seen;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -165,7 +165,7 @@ std::optional<HeightHandle> height_handle(const AppState& state, const FreeArea&
       if (pixel && is_within(free, *pixel) && (!seen || to_the_right(at) > to_the_right(*seen))) seen = at;
     }
   }
-  handle.at = seen.value_or(handle.at);
+  handle.at = seen ? *seen : *std::ranges::max_element(handle.outline, {}, to_the_right);
   return handle;
 }
 

@@ -41,7 +41,7 @@ struct HeightHandle {
   glm::dvec3 at{0.0};
   std::array<glm::dvec3, 4> outline{};
 };
-/// While the panel of the mold is open. `free`: what no panel covers.
+/// While the panel of the mold is open, and the mold closed. `free`: what no panel covers.
 [[nodiscard]] std::optional<HeightHandle> height_handle(const AppState& state, const FreeArea& free);
 /// The height that is given, or the one that was found, along the direction in the part's coordinates.
 [[nodiscard]] double parting_height(const AppState& state);

@@ -121,14 +121,8 @@ void Scene::take_bodies(const Bodies& bodies) {
 
 void Scene::take_mold(const ShownMold& mold) {
   if (mold == mold_) return;
-  if (mold.solids != mold_.solids || mold.by_action != mold_.by_action) {
-    std::vector<const ViewSolid*> shown;
-    for (std::size_t k = 0; mold.solids && k < mold.solids->shown.size(); ++k) {
-      // What side actions form moves as their bodies.
-      const bool moves = k >= 2 && mold.by_action && !(*mold.by_action)[k - 2].actions.empty();
-      if (!moves) shown.push_back(&mold.solids->shown[k]);
-    }
-    view_.set_steel(shown);
+  if (mold.solids != mold_.solids) {
+    view_.set_steel(mold.solids ? std::span(mold.solids->shown) : std::span<const ViewSolid>());
     ++steel_;
   }
   std::vector<ViewSegment> line, chosen;

@@ -58,7 +58,6 @@ class Scene {
     std::shared_ptr<const MoldLine> line;
     std::optional<std::size_t> loop;
     std::shared_ptr<const MoldSolids> solids;
-    std::shared_ptr<const std::vector<InsertActions>> by_action;  // what forms each insert
     bool operator==(const ShownMold&) const = default;
   };
   void take_mold(const ShownMold& mold);

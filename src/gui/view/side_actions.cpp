@@ -61,6 +61,14 @@ std::string moving_text(const MoldOfPieces& pieces, double open) {
                      pull_words(pieces.solids->directions[direction]));
 }
 
+/// Whether the mold's steel has what the action moves as a solid.
+bool in_steel(const AppState& state, std::size_t action) {
+  const auto& solids = state.mold.solids;
+  return solids && solids->pieces && std::ranges::any_of(solids->halves().inserts, [&](const MoldBody& body) {
+           return body.kind != PieceKind::insert && body.action == action;
+         });
+}
+
 }  // namespace
 
 std::optional<std::size_t> nearest_undercut(const ActionPlan& plan, const Undercut& undercut) {
@@ -136,7 +144,7 @@ std::shared_ptr<const std::vector<ViewBody>> shown_bodies(const AppState& state)
   return {bodies, bodies ? &bodies->bodies : nullptr};
 }
 
-std::vector<glm::dmat4> body_places(const AppState& state, double open, double share) {
+std::vector<glm::dmat4> body_places(const AppState& state, double open, double share, bool steel) {
   if (const MoldOfPieces* pieces = shown_pieces(state)) return places_of_pieces(state, *pieces, open);
   const auto& plan = state.actions.plan;
   const auto& bodies = state.actions.bodies;
@@ -154,16 +162,23 @@ std::vector<glm::dmat4> body_places(const AppState& state, double open, double s
     const double moved = open == 0.0 ? share : first ? opened.slides : opened.lifters;
     const double way = first ? (action.core_side ? 1.0 : -1.0) * opened.halves * k_mold_travel : 0.0;
     const glm::dmat4 place = unit_from_model * action_motion(action, moved) * model_from_unit;
-    const bool shown = open > 0.0 || &action == chosen;
+    const bool shown = open > 0.0 ? !(steel && in_steel(state, k)) : &action == chosen;
     places.push_back(shown ? glm::translate(glm::dmat4(1.0), way * state.settings.direction.unit()) * place
                            : glm::scale(glm::dmat4(1.0), glm::dvec3(0.0)));
   }
   return places;
 }
 
-std::vector<glm::vec3> points_of_bodies(const AppState& state, double open) {
+std::vector<glm::vec3> points_of_bodies(const AppState& state, double open, bool steel) {
   std::vector<glm::vec3> points;
-  const std::vector<glm::dmat4> places = body_places(state, open, 1.0);
+  const OpenedMold opened = opened_mold(state.actions.plan.get(), open);
+  const SteelLook look{.opened = opened.halves, .first = opened.slides, .last = opened.lifters};
+  for (std::size_t k = 2; steel && state.mold.solids && k < state.mold.solids->shown.size(); ++k) {
+    const ViewSolid& solid = state.mold.solids->shown[k];
+    const glm::vec3 shift(solid.motion.shift(look, state.settings.direction.unit()));
+    for (const ViewVertex& vertex : solid.body.vertices) points.push_back(vertex.position + shift);
+  }
+  const std::vector<glm::dmat4> places = body_places(state, open, 1.0, steel);
   const auto bodies = shown_bodies(state);
   for (std::size_t k = 0; k < places.size(); ++k)
     for (const ViewVertex& vertex : (*bodies)[k].vertices)

@@ -40,12 +40,14 @@ void give_side_direction(ActionSettings& settings, const std::optional<glm::dvec
 
 /// The bodies of the plan, or those of the mold of several pieces that is looked at; null for none.
 [[nodiscard]] std::shared_ptr<const std::vector<ViewBody>> shown_bodies(const AppState& state);
-/// Where each body of the plan is drawn, unit frame: in a mold that opens all of them, by how far it has; in
-/// a closed one that of the chosen action, out by a share [0, 1] of its travel. They leave with their halves.
-/// Sheets leave one after the other. None where none is to be seen.
-[[nodiscard]] std::vector<glm::dmat4> body_places(const AppState& state, double open, double share);
-/// Corners of the bodies where body_places() draws them.
-[[nodiscard]] std::vector<glm::vec3> points_of_bodies(const AppState& state, double open);
+/// Where each body of the plan is drawn, unit frame: in a mold that opens all of them, by how far it has, but
+/// for those that its steel has where that is seen; in a closed one that of the chosen action, out by a share
+/// [0, 1] of its travel. They leave with their halves. Sheets leave one after the other. None where none is
+/// to be seen.
+[[nodiscard]] std::vector<glm::dmat4> body_places(const AppState& state, double open, double share,
+                                                  bool steel);
+/// Corners of the bodies where body_places() draws them, and of the steel that actions move.
+[[nodiscard]] std::vector<glm::vec3> points_of_bodies(const AppState& state, double open, bool steel);
 /// What a picture of an undercut is to show, unit frame: it, its action's body in place and out, and the
 /// arrow.
 [[nodiscard]] std::vector<glm::vec3> surroundings(const AppState& state, std::size_t undercut);
