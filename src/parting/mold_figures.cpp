@@ -127,7 +127,7 @@ constexpr FigureRow<MoldHalves> k_halves_figures[] = {
     {"surface/ramps", "", Kind::area, member<&MoldHalves::surface, &SurfaceFigures::ramp_area>},
     {"surface/land", "", Kind::length, member<&MoldHalves::land>},
     {"surface/rise", "Height of parting surface", Kind::length,
-     [](const MoldHalves& h) -> Found { return h.surface.high - h.surface.low; }},
+     [](const MoldHalves& h) -> Found { return h.surface.high - h.surface.low; }, "", unless_nothing},
     {"surface/rim_range", "Height of the block's edge", Kind::length,
      [](const MoldHalves& h) -> Found { return h.surface.rim_range(); }, "", unless_nothing},
     {"surface/faces", "", Kind::count, member<&MoldHalves::surface, &SurfaceFigures::faces>},

@@ -90,6 +90,7 @@ TEST_F(WindowWithPart, SameInputSamePicture) {
     other.move_mouse({640, 360});
     other.settle();
     other.press_key({.key = 'O'});
+    other.wait_until_measured();  // halves and slides are made meanwhile
     other.settle();
     return other.pixels();
   };

@@ -301,7 +301,7 @@ void draw_verdict(const PanelContext& context) {
   constexpr float k_line = 18.0F, k_low_window = 680.0F;
   const Ui& ui = context.ui;
   // In a low window the panels below need the room; the tooltip has it all.
-  const std::size_t most_lines = screen_size().y < ui.px(k_low_window) ? 2 : 4;
+  const std::size_t most_lines = screen_size().y < ui.px(k_low_window) ? 2 : 5;
   const VerdictCard verdict = verdict_card(context.state);
   const float alpha = context.state.figures.pale ? 0.4F : 1.0F;
   const float width = room_left();
