@@ -41,4 +41,8 @@ std::vector<DirectionCard> direction_cards(const PartModel& model, const SweepRe
   return cards;
 }
 
+const DirectionCard* better_direction(std::span<const DirectionCard> cards) {
+  return !cards.empty() && cards.front().offered ? &cards.front() : nullptr;
+}
+
 }  // namespace moldlight

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,8 @@ struct DirectionCard {
 [[nodiscard]] std::vector<DirectionCard> direction_cards(const PartModel& model, const SweepResult& result,
                                                          const glm::dvec3& here,
                                                          const std::optional<MoldCost>& cost);
+
+/// The recommended one where it is worth turning to; null else, also where others win something beside it.
+[[nodiscard]] const DirectionCard* better_direction(std::span<const DirectionCard> cards);
 
 }  // namespace moldlight

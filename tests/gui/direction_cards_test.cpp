@@ -81,6 +81,7 @@ TEST_F(CardWindow, LeadToWhatTheRankingRecommends) {
   EXPECT_TRUE(writes("+ needs 1 slide less"));
   EXPECT_TRUE(writes("two-plate")) << "in the card";
 
+  EXPECT_TRUE(has("verdict go")) << "the verdict leads there";
   click("card 1");
   EXPECT_EQ(window.state().settings.direction.unit(), first.direction);
   window.wait_until_measured();
@@ -89,6 +90,7 @@ TEST_F(CardWindow, LeadToWhatTheRankingRecommends) {
   EXPECT_FALSE(sweep().cards.front().offered);
   EXPECT_EQ(sweep().result->recommended->direction, first.direction) << "nothing is searched for anew";
   EXPECT_FALSE(window.app().sweeping());
+  EXPECT_FALSE(has("verdict go")) << "nor away from it, whatever others win";
 }
 
 TEST_F(CardWindow, HaveTheWholeVerdictWhereThereIsRoom) {

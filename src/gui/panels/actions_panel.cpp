@@ -139,7 +139,7 @@ void draw_undercut(const PanelContext& context, std::size_t undercut, const Scre
   const ScreenBox upper{row.min, {row.max.x, row.min.y + ui.px(24)}};
   draw_cell(ui, upper, k_number, {ui.fonts.strong, normal}, std::to_string(undercut + 1));
   const float at = row.min.x + ui.px(k_kind.at), room = row.max.x - ui.px(k_pin_width + 6) - at;
-  const float width = row.max.x - row.min.x - ui.px(28);
+  const float width = row.max.x - row.min.x - ui.px(30);
   std::vector<std::string> lines;  // below
   if (action != nullptr) {
     draw_cell(ui, upper, k_kind, {ui.fonts.body, normal}, facts(action->kind).singular, room);

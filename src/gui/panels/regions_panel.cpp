@@ -217,7 +217,7 @@ void draw_next(const PanelContext& context, const VerdictCard& card) {
     return pressed;
   };
   const SweepState& sweep = context.state.sweep;
-  const auto better = std::ranges::find_if(sweep.cards, &DirectionCard::offered);
+  const DirectionCard* const better = sweep.stale ? nullptr : better_direction(sweep.cards);
   const bool unknown = card.verdict->state == VerdictState::unknown;
   const RepairLevel level = repair_that_helps(context.state);
   if (unknown || level == RepairLevel::full) {
@@ -228,7 +228,7 @@ void draw_next(const PanelContext& context, const VerdictCard& card) {
     } else if (wide("Show the faults of the mesh", "verdict faults")) {
       context.edits.enter(Step::part);
     }
-  } else if (better != sweep.cards.end() && !sweep.stale) {
+  } else if (better != nullptr) {
     if (wide(fmt::format("Go to {}", with_minus(better->name)), "verdict go"))
       context.edits.ask(&Commands::fly_to_direction, better->direction);
   } else if (card.verdict->undercuts + card.verdict->specks > 0) {

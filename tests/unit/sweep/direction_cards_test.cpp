@@ -66,11 +66,13 @@ TEST_F(DirectionCards, SayWhatATurnCosts) {
   ASSERT_EQ(at_best.size(), 2U);
   EXPECT_TRUE(at_best[0].here);
   EXPECT_FALSE(at_best[0].offered);
+  EXPECT_TRUE(at_best[1].offered);
+  EXPECT_EQ(better_direction(at_best), nullptr) << "a trade is no better direction";
   EXPECT_EQ(at_best[1].trade.costs, std::vector<std::string>{"needs 1 slide more"});
   const auto at_other = cards(-k_y, cost_of(1, 0.0));
   ASSERT_EQ(at_other.size(), 2U);
   EXPECT_TRUE(at_other[1].here) << "opposite directions are one";
-  EXPECT_TRUE(at_other[0].offered);
+  EXPECT_EQ(better_direction(at_other), &at_other[0]);
   EXPECT_EQ(at_other[0].trade.costs,
             std::vector<std::string>{"its parting line climbs 30 % of the diagonal more"});
 }
