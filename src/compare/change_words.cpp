@@ -61,13 +61,13 @@ ChangeWords ChangeWording::of_undercut(const MatchedChange& change) const {
   const auto undercut = [&](const ComparedPart& part, std::size_t number, std::string& area) {
     const UndercutReport& one = part.plan->undercuts[number];
     area = area_text(one.undercut.area);
-    return one.depth ? length_text(*one.depth) : "–";
+    return one.depth ? fmt::format("{} deep", length_text(*one.depth)) : std::string("not released");
   };
   std::string was, now;
   if (change.a) was = undercut(comparison_.a, *change.a, words.before);
   if (change.b) now = undercut(comparison_.b, *change.b, words.now);
-  words.more =
-      change.a && change.b ? fmt::format("{} deep, now {}", was, now) : fmt::format("{}{} deep", was, now);
+  words.more = was.empty() || now.empty() || was == now ? (now.empty() ? was : now)
+                                                        : fmt::format("{}, now {}", was, now);
   return words;
 }
 

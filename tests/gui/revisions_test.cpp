@@ -2,10 +2,12 @@
 #include "unit/compare/revisions.hpp"
 
 #include <chrono>
+#include <regex>
 #include <thread>
 
 #include <glm/geometric.hpp>
 
+#include "compare/change_words.hpp"
 #include "gui/barrier.hpp"
 #include "gui/jobs/revision_state.hpp"
 #include "gui/window_with_part.hpp"
@@ -101,6 +103,8 @@ TEST_F(Revisions, TellWhatChangedAndNothingElse) {
   EXPECT_TRUE(says("surface changed"));
   EXPECT_TRUE(says("before.stl"));
   EXPECT_TRUE(says("after.stl"));
+  const std::string regions = ChangeWording(result().comparison).regions();
+  EXPECT_FALSE(std::regex_search(regions, std::regex("[0-9]{3}\\.[0-9]{2}"))) << "four digits: " << regions;
 }
 
 TEST_F(Revisions, OfAMovedBossTellTheBossAlone) {
