@@ -349,12 +349,6 @@ void forget_rays(PlayedBody& body) {
   body.model = std::move(model);
 }
 
-void append(const TriangleMesh& solid, TriangleMesh& mesh) {
-  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), solid.vertices.begin(), solid.vertices.end());
-  for (const auto& [a, b, c] : solid.facets) mesh.facets.push_back({a + first, b + first, c + first});
-}
-
 /// Of what an action forms, and how it moves.
 std::vector<double> key_of(const ActionPlan& plan, std::size_t number,
                            std::span<const std::uint32_t> pieces) {

@@ -39,4 +39,10 @@ Bounds bounds(const TriangleMesh& mesh) {
   return box;
 }
 
+void append(const TriangleMesh& solid, TriangleMesh& mesh) {
+  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), solid.vertices.begin(), solid.vertices.end());
+  for (const auto& [a, b, c] : solid.facets) mesh.facets.push_back({a + first, b + first, c + first});
+}
+
 }  // namespace moldlight

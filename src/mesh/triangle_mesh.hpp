@@ -53,4 +53,7 @@ struct Bounds {
 /// Box of the vertices that facets use.
 [[nodiscard]] Bounds bounds(const TriangleMesh& mesh);
 
+/// Adds the surface of a solid to a mesh; nothing is welded.
+void append(const TriangleMesh& solid, TriangleMesh& mesh);
+
 }  // namespace moldlight

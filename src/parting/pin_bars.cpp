@@ -221,12 +221,6 @@ class PinRoom {
   double end_ = 0.0;                   // along the way
 };
 
-void append(const TriangleMesh& solid, TriangleMesh& mesh) {
-  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), solid.vertices.begin(), solid.vertices.end());
-  for (const auto& [a, b, c] : solid.facets) mesh.facets.push_back({a + first, b + first, c + first});
-}
-
 /// The block without the part.
 TriangleMesh steel_of(const PlainMold& plain, const MoldHalves& halves) {
   Bounds block;
