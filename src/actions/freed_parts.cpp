@@ -121,7 +121,8 @@ std::optional<Pull> PullFinder::most_freeing(std::span<const UndercutSample> sam
                                              std::span<const PullCandidate> tried,
                                              std::optional<ActionKind> only, double& most) const {
   std::vector<PullCandidate> in_order(tried.begin(), tried.end());
-  std::ranges::stable_partition(in_order, [&](const auto& one) { return is_axis(one.direction); });
+  std::stable_partition(in_order.begin(), in_order.end(),
+                        [&](const auto& one) { return is_axis(one.direction); });
   std::optional<Pull> best;
   for (const PullCandidate& candidate : in_order) {
     const double angle_deg = std::abs(elevation_deg(candidate.direction, direction_));
