@@ -180,7 +180,7 @@ std::string change_text(const ActionsReport& report, std::size_t undercut, bool 
                                rounded(report.settings.pin_diameter_mm * unit_per_mm(model.part)), unit));
   if (refused != report.plan.rejected.end() && refused->reason == RejectReason::too_strained) {
     const double share = 0.01 * report.settings.strip_strain_pct / refused->strain;
-    ways.push_back(fmt::format("let the ring reach {} instead of {} {} over what it passes, to strip it off",
+    ways.push_back(fmt::format("make the ring {} instead of {} {} deep, to strip it off",
                                rounded(share * refused->depth), rounded(refused->depth), unit));
   }
   const DesignChange& change = report.changes[undercut];

@@ -22,7 +22,7 @@ namespace moldlight {
 /// How far a figure may be off, in two digits.
 [[nodiscard]] std::string error_text(double error, double least = 0.0);
 
-/// Six digits: where near values are told apart, as criteria and programs do.
+/// Six digits: where near values differ, for criteria and programs.
 [[nodiscard]] std::string figure(double value);
 
 /// "0.00000, 0.60000, 0.80000".

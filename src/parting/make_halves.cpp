@@ -69,19 +69,6 @@ double centred_volume(const TriangleMesh& mesh, const glm::dvec3& centre) {
   return static_cast<double>(volume / 6.0L);
 }
 
-/// Where ends were moved farthest to stand in columns.
-std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
-  std::optional<glm::dvec3> place;
-  double most = -1.0;
-  for (SheetVertex v = 0; v < sheets.vertices.size(); ++v) {
-    const PlanePoint column = sheets.column_of[v];
-    if (column == k_no_plane_point || sheets.moved[column] <= most) continue;
-    most = sheets.moved[column];
-    place = sheets.vertices[v];
-  }
-  return place;
-}
-
 /// What the halves are made from.
 struct HalvesWish {
   const SplitMesh& split;    // numbers facets as the part does, then those of what is beside it
@@ -111,14 +98,6 @@ ShelfShape shelf_shape(const MoldSettings& settings, double diagonal) {
   return {.ramp = std::tan(glm::radians(std::min(settings.ramp_deg, settings.slope_deg))),
           .slope = std::tan(glm::radians(settings.slope_deg)),
           .land = land_width(settings, diagonal) / diagonal};
-}
-
-Bounds box_of(const Sheets& sheets) {
-  Bounds box;
-  for (const SheetFacet& facet : sheets.facets) {
-    for (const SheetVertex v : facet.corners) box.add(sheets.vertices[v]);
-  }
-  return box;
 }
 
 /// The halves with one tolerance. Each step fills the halves, or says why not, and where in the mold's frame.

@@ -392,4 +392,24 @@ std::optional<glm::dvec3> Sheets::align_ends(double tolerance) {
   return place;
 }
 
+std::optional<glm::dvec3> most_moved(const Sheets& sheets) {
+  std::optional<glm::dvec3> place;
+  double most = -1.0;
+  for (SheetVertex v = 0; v < sheets.vertices.size(); ++v) {
+    const PlanePoint column = sheets.column_of[v];
+    if (column == k_no_plane_point || sheets.moved[column] <= most) continue;
+    most = sheets.moved[column];
+    place = sheets.vertices[v];
+  }
+  return place;
+}
+
+Bounds box_of(const Sheets& sheets) {
+  Bounds box;
+  for (const SheetFacet& facet : sheets.facets) {
+    for (const SheetVertex v : facet.corners) box.add(sheets.vertices[v]);
+  }
+  return box;
+}
+
 }  // namespace moldlight

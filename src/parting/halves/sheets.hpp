@@ -14,6 +14,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "mesh/triangle_mesh.hpp"
+
 namespace moldlight {
 
 struct MoldFault {
@@ -118,5 +120,11 @@ class Sheets {
 
 /// The point on the grid that all columns are on.
 [[nodiscard]] glm::dvec2 on_grid(const glm::dvec2& at);
+
+/// Where ends were moved farthest to stand in columns; none where there are no columns.
+[[nodiscard]] std::optional<glm::dvec3> most_moved(const Sheets& sheets);
+
+/// Around the facets' corners.
+[[nodiscard]] Bounds box_of(const Sheets& sheets);
 
 }  // namespace moldlight
