@@ -18,6 +18,7 @@
 #include "parting/min_cut.hpp"
 #include "parting/mold_settings.hpp"
 #include "parting/piece_edges.hpp"
+#include "parting/seen_through.hpp"
 #include "parting/thin_walls.hpp"
 
 namespace moldlight {
@@ -221,6 +222,23 @@ void join_narrow(const Assignment& assignment, double least_width, double latera
   sides = std::move(tidied);
 }
 
+/// A slide forms what a half sees only through a hole, across the slide's room.
+void give_seen_through(const PartModel& model, Assignment& assignment) {
+  std::vector<std::uint8_t> former;
+  for (const MoldSide side : assignment.sides) former.push_back(static_cast<std::uint8_t>(side));
+  assignment.seen_through = seen_through({.model = model,
+                                          .mesh = assignment.mesh,
+                                          .edges = assignment.edges,
+                                          .crease = assignment.crease,
+                                          .former = former,
+                                          .action = static_cast<std::uint8_t>(MoldSide::action),
+                                          .direction = assignment.direction,
+                                          .lateral = assignment.lateral / model.frame.diagonal});
+  for (const SeenPatch& patch : assignment.seen_through) {
+    for (const PieceIndex piece : patch.pieces) assignment.sides[piece] = MoldSide::action;
+  }
+}
+
 void sum_areas(const PartModel& model, const Costs& costs, Assignment& assignment) {
   for (PieceIndex piece = 0; piece < assignment.sides.size(); ++piece) {
     const double area = costs.area[piece];
@@ -308,6 +326,7 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
   result.energy = best->energy;
   result.sides = std::move(best->sides);
   join_narrow(result, k_least_width * model.frame.diagonal, result.lateral, result.sides);
+  if (!result.sampled) give_seen_through(model, result);
   sum_areas(model, costs, result);
   for (std::uint8_t& free : result.free) free = free != 0 ? 1 : 0;
 }

@@ -13,6 +13,7 @@
 #include "classify/part_model.hpp"
 #include "parting/mold_settings.hpp"
 #include "parting/piece_edges.hpp"
+#include "parting/seen_through.hpp"
 
 namespace moldlight {
 
@@ -33,12 +34,13 @@ inline constexpr std::array<MoldSide, k_side_count> k_mold_sides = {MoldSide::co
 struct Assignment {
   SplitMesh mesh;  // of the regions at the soft draft, cut at the height that the user gave
   PieceEdges edges;
-  std::vector<MoldSide> sides;       // one a piece
-  std::vector<std::uint8_t> free;    // 1 for a piece that may go to either half
-  std::vector<std::uint8_t> crease;  // 1 for an edge that bends by more than 30 degrees
-  glm::dvec3 direction{0, 0, 1};     // unit
-  double height = 0.0;               // at which the halves were assigned to meet
-  double lateral = 0.0;              // the lateral tolerance
+  std::vector<MoldSide> sides;          // one a piece
+  std::vector<SeenPatch> seen_through;  // of halves, but an action's
+  std::vector<std::uint8_t> free;       // 1 for a piece that may go to either half
+  std::vector<std::uint8_t> crease;     // 1 for an edge that bends by more than 30 degrees
+  glm::dvec3 direction{0, 0, 1};        // unit
+  double height = 0.0;                  // at which the halves were assigned to meet
+  double lateral = 0.0;                 // the lateral tolerance
   double energy = 0.0, energy_to_core = 0.0, energy_to_cavity = 0.0;  // of it, and of all that is free to one
   std::array<double, k_side_count> areas{};
   double free_area = 0.0;

@@ -78,7 +78,7 @@ struct HalvesWish {
   const MeetingPlace& place;
   const std::vector<FacetWish>& assigned;
   const MoldSettings& settings;
-  const WallCaps* caps = nullptr;
+  SheetCaps caps;
 };
 
 /// The line in the mold's frame.
@@ -416,6 +416,8 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
   std::optional<MoldHalves> best;
   const SheetFrame frame{halves.frame, halves.centre, model.frame.diagonal};
   // Whether what was found is certified.
+  std::optional<ThroughCaps> through;
+  if (place.sides != nullptr && !place.sides->seen_through.empty()) through.emplace(*place.sides, frame);
   const auto try_all = [&](const ExactPart& exact, const UprightPart& part, const WallCaps* caps = nullptr) {
     SplitMesh split =
         exact_split(exact, {.direction = direction, .tau_deg = 0.0, .lateral = 0.0}, progress).mesh;
@@ -426,7 +428,8 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
                         : static_cast<FacetIndex>(piece.facet - own + model.part.mesh.facets.size());
     }
     if (caps != nullptr) split = caps->cut(split);
-    const HalvesWish asked{split, part.mesh, beside, model, place, assigned, settings, caps};
+    const HalvesWish asked{split, part.mesh, beside,   model,
+                           place, assigned,  settings, {caps, through ? &*through : nullptr}};
     std::size_t tried = 0;
     first.reset();
     std::optional<MoldHalves> found;
@@ -482,7 +485,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
     if (upright && !capped) try_mesh(*upright);
   }
   if (!beside.blanks.empty()) {
-    if (!best) try_mesh(own);
+    if (!best || best->contact_area > 0.0) try_mesh(own);
   } else if (!best || !best->clean() || best->contact_area > 0.0) {
     try_all(model.exact(progress), own);
   }

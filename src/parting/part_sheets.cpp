@@ -39,7 +39,7 @@ Sheet sheet_of(const SplitPiece& piece, const Sheets& sheets) {
 }  // namespace
 
 PartSheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& frame,
-                       const SheetTolerance& attempt, const WallCaps* caps) {
+                       const SheetTolerance& attempt, const SheetCaps& caps) {
   PartSheets found;
   Sheets& sheets = found.sheets;
   for (const glm::dvec3& vertex : split.vertices) sheets.vertices.push_back(frame.in_mold(vertex));
@@ -56,11 +56,22 @@ PartSheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFra
     const auto& [a, b, c] = piece.corners;
     const std::array<glm::dvec3, 3> at = {sheets.vertices[a], sheets.vertices[b], sheets.vertices[c]};
     const bool is_part = piece.facet < beside;
-    if (const auto end = is_part && caps != nullptr ? caps->height(piece.facet, sheet, at) : std::nullopt) {
+    if (const auto end =
+            is_part && caps.walls != nullptr ? caps.walls->height(piece.facet, sheet, at) : std::nullopt) {
       const double area = 0.5 * std::abs(glm::cross(glm::dvec2(at[1] - at[0]), glm::dvec2(at[2] - at[0])));
       found.added += area * std::abs((at[0].z + at[1].z + at[2].z) / 3.0 - *end);
       sheets.facets.push_back({{end_at(a, *end), end_at(b, *end), end_at(c, *end)}, sheet});
       continue;
+    }
+    if (is_part && caps.through != nullptr && sheet != Sheet::hidden) {
+      if (const auto over = caps.through->heights(sheet, at)) {
+        const std::array<SheetVertex, 3> cap = {end_at(a, (*over)[0]), end_at(b, (*over)[1]),
+                                                end_at(c, (*over)[2])};
+        sheets.facets.push_back({piece.corners, Sheet::hidden});
+        sheets.facets.push_back({cap, sheet});
+        sheets.facets.push_back({cap, Sheet::beside});
+        continue;
+      }
     }
     if (is_part || sheet != Sheet::hidden) sheets.facets.push_back({piece.corners, sheet});
     if (!is_part && sheet != Sheet::hidden) sheets.facets.push_back({piece.corners, Sheet::beside});

@@ -11,6 +11,7 @@
 #include "parting/mold_halves.hpp"
 #include "parting/mold_settings.hpp"
 #include "parting/sheet_frame.hpp"
+#include "parting/through_caps.hpp"
 #include "parting/wall_caps.hpp"
 
 namespace moldlight {
@@ -33,8 +34,12 @@ struct PartSheets {
 };
 /// Of a mesh that is split at no draft; its facets from number `beside` on are of other bodies. Upright
 /// facets are left out; ends do not stand in columns yet. Caps are those of this mesh, null for none.
+struct SheetCaps {
+  const WallCaps* walls = nullptr;
+  const ThroughCaps* through = nullptr;
+};
 [[nodiscard]] PartSheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& frame,
-                                     const SheetTolerance& attempt, const WallCaps* caps);
+                                     const SheetTolerance& attempt, const SheetCaps& caps);
 
 /// Of the facets that a half is to form, the upright ones, and the area of others that it cannot, which lean
 /// the other way or are hidden.

@@ -110,7 +110,7 @@ std::optional<SweptOut> swept_out(const TriangleMesh& body, const SlideBlank& bl
   const double whole = signed_volume(body);
   for (const SheetTolerance& attempt : k_sheet_attempts) {
     Sheets sheets =
-        part_sheets(split, static_cast<FacetIndex>(walls.facets.size()), frame, attempt, nullptr).sheets;
+        part_sheets(split, static_cast<FacetIndex>(walls.facets.size()), frame, attempt, {}).sheets;
     add_end(hollow.end, frame, sheets);
     if (sheets.align_ends(attempt.tolerance)) continue;
     auto moved = closed_body(sheets, {.sheets = k_seen | k_end, .turned = k_seen}, frame);
