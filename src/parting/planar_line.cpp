@@ -18,6 +18,7 @@ constexpr double k_nearly_level =
 constexpr double k_hair = 0.02;  // of the diagonal: a line that costs less by no more is no better
 constexpr double k_alike_reverse = 2e-3;  // of the surface: reverse draft that differs by less is alike
 constexpr double k_alike = 0.25;          // of the diagonal: of those that cost about the same creases decide
+constexpr double k_alike_creases = 0.05;  // of the most of them; then the part's middle does
 
 /// Of the outer loops' length.
 double on_creases(const PartingLine& line) {
@@ -33,7 +34,16 @@ std::size_t breaks_of(const PartingLine& line) {
   return breaks;
 }
 
-/// Of the line's outer loops, the longest first, then those of the part's creases.
+/// Half-way up the part, or the origin's height where that is no farther off than the lateral tolerance: a
+/// part that was drawn about its middle plane is parted there.
+double middle_height(const PartModel& model, const glm::dvec3& direction, double lateral) {
+  const auto [low, high] = std::ranges::minmax(
+      model.part.mesh.vertices, {}, [&](const glm::dvec3& vertex) { return glm::dot(vertex, direction); });
+  const double middle = 0.5 * glm::dot(low + high, direction);
+  return std::abs(middle) <= lateral ? 0.0 : middle;
+}
+
+/// Of the line's outer loops, the longest first, then those of the part's creases, and its middle.
 std::vector<double> levels_of(const PartModel& model, const MoldLine& found) {
   LevelLengths lengths(found.assignment.direction, model.frame.diagonal);
   for (const PartingLoop& loop : found.line.loops) {
@@ -50,6 +60,8 @@ std::vector<double> levels_of(const PartModel& model, const MoldLine& found) {
     };
     if (tried.size() < k_most_levels && std::ranges::none_of(tried, is_same)) tried.push_back(height);
   }
+  const double middle = middle_height(model, found.assignment.direction, found.assignment.lateral);
+  if (std::ranges::find(tried, middle) == tried.end()) tried.push_back(middle);
   return tried;
 }
 
@@ -136,8 +148,14 @@ MoldLine find_mold_line(const PartModel& model, const Query& query, const MoldSe
   keep_about_least([](const MoldLine& line) { return line.assignment.reverse_draft_area; },
                    k_alike_reverse * model.geometry.total_area);
   keep_about_least(cost_of, k_alike * diagonal);
-  return std::move(*std::ranges::max_element(
-      better, {}, [&](const MoldLine& line) { return std::pair(is_planar(line), on_creases(line.line)); }));
+  if (std::ranges::any_of(better, is_planar))
+    std::erase_if(better, [&](const MoldLine& line) { return !is_planar(line); });
+  const auto less_on_creases = [](const MoldLine& line) { return -on_creases(line.line); };
+  keep_about_least(less_on_creases,
+                   k_alike_creases * on_creases(std::ranges::min(better, {}, less_on_creases).line));
+  const double middle = middle_height(model, found.assignment.direction, found.assignment.lateral);
+  return std::move(*std::ranges::min_element(
+      better, {}, [&](const MoldLine& line) { return std::abs(line.assignment.height - middle); }));
 }
 
 }  // namespace moldlight
