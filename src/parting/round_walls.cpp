@@ -25,7 +25,8 @@ constexpr double k_least_upright = 0.5;
 constexpr double k_smooth = 0.87;  // cosine of the bend
 /// A corner is off the chord beside it by at most so much of how far it is from the nearer end.
 constexpr double k_steepest = 0.25;
-constexpr double k_one_column = 5e-6;   // corners closer than this, in diagonals, are one
+constexpr double k_same_curve = 0.5;    // how much the curve of walls in line may differ from each other's
+constexpr double k_one_column = 1e-4;   // corners closer than this, in diagonals, are one
 constexpr double k_least_lean = 1e-10;  // a facet stands that is no wider as seen along the direction
 constexpr int k_most_divided = 32;      // times
 
@@ -182,6 +183,8 @@ class WallDivider {
         next.push_back(facet);
       }
     }
+    in_line_.clear();
+    find_in_line(next);
     while (!next.empty()) {
       progress_.report(k_halves_stage, 0.0);
       const FacetIndex facet = next.back();
@@ -191,12 +194,72 @@ class WallDivider {
     }
   }
 
+  /// Walls that go on behind a gap, a branch or a hole, are divided there as before it: columns of one that
+  /// are on the curve of the other. Adds facets to `next`.
+  void find_in_line(std::vector<FacetIndex>& next) {
+    const double cell = 8.0 * reach_;
+    if (cell <= 0.0) return;
+    const auto cell_of = [cell](const glm::dvec2& at) {
+      return std::array<std::int64_t, 2>{static_cast<std::int64_t>(std::floor(at.x / cell)),
+                                         static_cast<std::int64_t>(std::floor(at.y / cell))};
+    };
+    std::map<VertexIndex, glm::dvec2> normals;  // of columns
+    for (FacetIndex facet = 0; facet < in_wall_.size(); ++facet) {
+      if (in_wall_[facet] == Membership::none) continue;
+      const auto [a, b, c] = along(facet);
+      const glm::dvec2 normal = glm::normalize(glm::dvec2(twice_area(facet)));
+      for (const VertexIndex corner : {a, b, c})
+        normals[column_of_[corner]] += normal / glm::distance(seen(a), seen(b));
+    }
+    std::map<std::array<std::int64_t, 2>, std::vector<VertexIndex>> in_cell;
+    for (auto& [column, normal] : normals) {
+      in_cell[cell_of(seen(column))].push_back(column);
+      if (normal != glm::dvec2(0.0)) normal = glm::normalize(normal);
+    }
+    for (FacetIndex facet = 0; facet < in_wall_.size(); ++facet) {
+      if (in_wall_[facet] == Membership::none) continue;
+      const auto [a, b, c] = along(facet);
+      const glm::dvec2 chord = seen(b) - seen(a);
+      const double length = glm::length(chord);
+      const double bend =
+          std::acos(std::clamp(glm::dot(normals.at(column_of_[a]), normals.at(column_of_[b])), -1.0, 1.0));
+      const glm::dvec2 normal = glm::normalize(glm::dvec2(twice_area(facet)));
+      const auto is_in_line = [&](VertexIndex column) {
+        const double along_it = share(a, b, column);
+        if (along_it <= 0.0 || along_it >= 1.0 || !is_beside(a, b, column, 1.0)) return false;
+        const double curve = 0.5 * length * bend * along_it * (1.0 - along_it);
+        const double beside = off(a, b, column);
+        return beside <= reach_ && std::abs(beside - curve) <= k_same_curve * curve &&
+               glm::dot(normals.at(column), normal) > k_smooth;
+      };
+      std::vector<VertexIndex> found;
+      const auto low = cell_of(glm::min(seen(a), seen(b)) - reach_),
+                 high = cell_of(glm::max(seen(a), seen(b)) + reach_);
+      for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+        for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+          const auto here = in_cell.find({x, y});
+          if (here == in_cell.end()) continue;
+          for (const VertexIndex column : here->second) {
+            const bool own = column == column_of_[a] || column == column_of_[b] || column == column_of_[c];
+            if (!own && is_in_line(column)) found.push_back(column);
+          }
+        }
+      }
+      if (found.empty()) continue;
+      in_line_[facet] = std::move(found);
+      if (in_wall_[facet] != Membership::waiting) next.push_back(facet);
+      in_wall_[facet] = Membership::waiting;
+    }
+  }
+
   /// Divides a facet's sides at all columns that one of them is divided at, and at the corner between; adds
   /// the wall's facets across to `next`. False where a column is not beside a side.
   bool divide(FacetIndex facet, std::vector<FacetIndex>& next) {
     const auto [a, b, c] = along(facet);
     const double between = share(a, b, c);
     std::vector<VertexIndex> wanted = {column_of_[c]};
+    if (const auto known = in_line_.find(facet); known != in_line_.end())
+      wanted.insert(wanted.end(), known->second.begin(), known->second.end());
     for (const Ends& side : {edge(a, b), edge(a, c), edge(c, b)}) {
       if (const auto known = columns_.find(side); known != columns_.end())
         wanted.insert(wanted.end(), known->second.begin(), known->second.end());
@@ -292,32 +355,36 @@ class WallDivider {
     return part;
   }
 
-  /// Facets around the corner that no divided side meets, else around a point in the middle. False where one
-  /// of them faces the other way.
+  /// Facets around the corner that no divided side meets, else around a point in the middle, else around any
+  /// point of the outline. False where each way one of them faces the other way.
   [[nodiscard]] bool add_fan(FacetIndex facet, const std::vector<VertexIndex>& corners,
                              std::vector<glm::dvec3>& at,
                              std::vector<std::array<VertexIndex, 3>>& facets) const {
     const auto& own = mesh_.facets[facet];
+    const glm::dvec3 normal = twice_area(facet);
     std::size_t tip = corners.size();
     for (std::size_t k = 0; k < 3; ++k) {
       const auto place = static_cast<std::size_t>(std::ranges::find(corners, own[k]) - corners.begin());
       const auto next = [&](std::size_t of) { return corners[(place + of) % corners.size()]; };
       if (next(1) == own[(k + 1) % 3] && next(corners.size() - 1) == own[(k + 2) % 3]) tip = place;
     }
-    VertexIndex middle = static_cast<VertexIndex>(at.size());
-    if (tip < corners.size()) {
-      middle = corners[tip];
-    } else {
-      at.push_back((at_[own[0]] + at_[own[1]] + at_[own[2]]) / 3.0);
-    }
-    const glm::dvec3 normal = twice_area(facet);
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const VertexIndex from = corners[k], to = corners[(k + 1) % corners.size()];
-      if (from == middle || to == middle) continue;
-      facets.push_back({from, to, middle});
-      if (glm::dot(glm::cross(at[to] - at[from], at[middle] - at[from]), normal) < 0.0) return false;
-    }
-    return true;
+    const auto goes_around = [&](VertexIndex middle) {
+      const std::size_t first = facets.size();
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        const VertexIndex from = corners[k], to = corners[(k + 1) % corners.size()];
+        if (from == middle || to == middle) continue;
+        facets.push_back({from, to, middle});
+        if (glm::dot(glm::cross(at[to] - at[from], at[middle] - at[from]), normal) >= 0.0) continue;
+        facets.resize(first);
+        return false;
+      }
+      return true;
+    };
+    if (tip < corners.size() && goes_around(corners[tip])) return true;
+    at.push_back((at_[own[0]] + at_[own[1]] + at_[own[2]]) / 3.0);
+    if (goes_around(static_cast<VertexIndex>(at.size() - 1))) return true;
+    at.pop_back();
+    return std::ranges::any_of(corners, goes_around);
   }
 
   /// Facets between two columns each; corners that come together along the way are of one column.
@@ -349,8 +416,9 @@ class WallDivider {
   double reach_;
   const Progress& progress_;
   Adjacency adjacency_;
-  std::vector<glm::dvec3> own_, at_;    // in the mold's frame: as they come, and in their columns
-  std::vector<Membership> in_wall_;     // of a facet in a round wall
+  std::vector<glm::dvec3> own_, at_;  // in the mold's frame: as they come, and in their columns
+  std::vector<Membership> in_wall_;   // of a facet in a round wall
+  std::map<FacetIndex, std::vector<VertexIndex>> in_line_;  // columns of others in line with it
   std::vector<VertexIndex> column_of_;  // the first vertex at the same place as seen along the direction
   std::map<Ends, std::vector<VertexIndex>> columns_;  // at which edges are divided
 };

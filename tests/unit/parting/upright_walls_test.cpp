@@ -3,8 +3,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 
 #include "classify/part_model.hpp"
@@ -12,7 +15,9 @@
 #include "mesh/health.hpp"
 #include "parting/make_halves.hpp"
 #include "parting/planar_line.hpp"
+#include "support/boxes.hpp"
 #include "support/classify_mesh.hpp"
+#include "support/mesh_edits.hpp"
 #include "support/random.hpp"
 #include "support/shared_parts.hpp"
 
@@ -102,6 +107,36 @@ TEST(UprightWalls, AreDividedWhereFacetsOfARoundWallLeanBothWays) {
   }
   // Closed, the prism over both rings' outlines together.
   EXPECT_NEAR(signed_volume(part->mesh), k_twisted * std::sin(std::numbers::pi / k_twisted), 1e-12);
+}
+
+/// Places of a mesh's corners on the round wall of radius 1, as seen along the direction, about that.
+std::set<std::pair<long, long>> columns_of(const TriangleMesh& mesh, double low, double high) {
+  std::set<std::pair<long, long>> columns;
+  for (const glm::dvec3& vertex : mesh.vertices) {
+    if (vertex.z < low || vertex.z > high || glm::length(glm::dvec2(vertex)) < 0.9) continue;
+    columns.emplace(std::lround(1e6 * vertex.x), std::lround(1e6 * vertex.y));
+  }
+  return columns;
+}
+
+TEST(UprightWalls, InLineAreDividedAlike) {
+  // Two columns, one above the other, whose corners do not stand above each other's.
+  const TriangleMesh below = prism({.sides = k_twisted});
+  const auto above = [&](double radius) {
+    TriangleMesh mesh =
+        test::rotated(below, glm::angleAxis(0.4 * 2.0 * std::numbers::pi / k_twisted, glm::dvec3(0, 0, 1)));
+    for (glm::dvec3& vertex : mesh.vertices) vertex = {radius * vertex.x, radius * vertex.y, vertex.z + 2.0};
+    return mesh;
+  };
+  const TriangleMesh both = test::joined(below, above(1.0));
+  const auto part = with_upright_walls(both, frame_of(both), k_reach, Progress());
+  ASSERT_TRUE(part);
+  EXPECT_EQ(columns_of(part->mesh, 0.0, 1.0).size(), 2 * k_twisted);
+  EXPECT_EQ(columns_of(part->mesh, 0.0, 1.0), columns_of(part->mesh, 2.0, 3.0));
+  EXPECT_TRUE(defect_chains(part->mesh, EdgeDefect::open).empty());
+  // A thicker one is no wall in line with it.
+  const TriangleMesh apart = test::joined(below, above(1.0015));
+  EXPECT_FALSE(with_upright_walls(apart, frame_of(apart), k_reach, Progress()));
 }
 
 TEST(UprightWalls, AreNotDividedWhereTheFacetsBesideWouldTurnOver) {
