@@ -188,7 +188,7 @@ bool is_needle(const SplitMesh& mesh, PieceIndex piece, double width) {
 }
 
 /// Connected pieces of a half that no width is left of go to the side that they have the longest border with;
-/// those inside an action, narrower than the lateral tolerance (part's unit), to it.
+/// those beside an action, narrower than the lateral tolerance (part's unit), likewise.
 void join_narrow(const Assignment& assignment, double least_width, double lateral,
                  std::vector<MoldSide>& sides) {
   struct Component {
@@ -215,8 +215,7 @@ void join_narrow(const Assignment& assignment, double least_width, double latera
     if (sides[piece] == MoldSide::action) continue;
     const auto& [area, border] = components[joined.find(piece)];
     const double length = std::accumulate(border.begin(), border.end(), 0.0);
-    const bool inside_action = length > 0.0 && border[k_action] == length;
-    if (2.0 * area < (inside_action ? lateral : least_width) * length)
+    if (2.0 * area < (border[k_action] > 0.0 ? lateral : least_width) * length)
       tidied[piece] = static_cast<MoldSide>(std::ranges::max_element(border) - border.begin());
   }
   sides = std::move(tidied);

@@ -83,12 +83,14 @@ class PieceMaker {
     for (UnmadeAction& unmade : unmade_) {
       const SideAction& action = plain_.wish.plan.actions[unmade.action];
       std::string why = "no pin";
-      for (const bool with_skins : {true, false}) {
-        // Where one runs along an edge of a half by rounding, a wider one may not.
-        for (const double fit : {1.0, 1.7}) {
-          if (why.empty() || !is_slide(action.kind)) continue;
-          const std::vector<BarRoom> rooms = pins_of(unmade.action, with_skins, fit);
-          if (!rooms.empty()) why = put_pins(plain_, unmade.action, rooms, halves, progress_);
+      for (const bool stepped : {false, true}) {
+        for (const bool with_skins : {true, false}) {
+          // Where one runs along an edge of a half by rounding, a wider one may not.
+          for (const double fit : {1.0, 1.7, 5.0, 12.0}) {
+            if (why.empty() || !is_slide(action.kind)) continue;
+            const std::vector<BarRoom> rooms = pins_of(unmade.action, with_skins, fit, stepped);
+            if (!rooms.empty()) why = put_pins(plain_, unmade.action, rooms, halves, progress_);
+          }
         }
       }
       if (!why.empty()) left.push_back(std::move(unmade));
@@ -96,14 +98,16 @@ class PieceMaker {
     unmade_ = std::move(left);
   }
 
-  [[nodiscard]] std::vector<BarRoom> pins_of(std::size_t number, bool with_skins, double fit) const {
+  [[nodiscard]] std::vector<BarRoom> pins_of(std::size_t number, bool with_skins, double fit,
+                                             bool stepped) const {
     const glm::dvec3 way = plain_.wish.plain.frame.to_mold(plain_.wish.plan.actions[number].direction);
     PinWish wish{.inserts = {},
                  .formed = {},
                  .beside = false,
                  .way = std::abs(way.z) > k_inclined ? glm::normalize(way) : plain_.way_of(number),
                  .land = plain_.wish.plain.land / plain_.wish.model.frame.diagonal,
-                 .fit = fit};
+                 .fit = fit,
+                 .stepped = stepped};
     bool alone = true;
     forming(number, wish.inserts, alone);
     wish.beside = !with_skins && alone;

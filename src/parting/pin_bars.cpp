@@ -1,9 +1,12 @@
 #include "parting/pin_bars.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,6 +30,8 @@ constexpr double k_fit = 3e-5, k_in_wall = 1e-3;
 constexpr double k_seat = 0.3;        // of the land, into steel at the far end of a hole
 constexpr double k_long = 0.25;       // of the longest line: less of what it forms are skins beside the hole
 constexpr double k_beside_rim = 3.0;  // cells off lines that long: one that meets an edge may be missed
+constexpr double k_long_step = 0.005;  // likewise where it has steps
+constexpr std::size_t k_most_pin_steps = 4;
 constexpr std::size_t k_pin_lines = 64, k_most_sides = 256;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
@@ -125,12 +130,17 @@ class PinRoom {
   PinRoom(const TriangleMesh& part, const PinWish& wish)
       : part_(part), wish_(wish), frame_(frame_along(wish.way)) {}
 
-  std::optional<BarRoom> run() {
-    if (!find_outline() || !find_end()) return std::nullopt;
-    BarRoom room{.along = frame_.way, .sides = {}, .end = HalfSpace{-frame_.way, -end_}};
-    for (const HalfPlane& side : sides_)
-      room.sides.push_back({side.normal.x * frame_.across + side.normal.y * frame_.up, side.offset});
-    return room;
+  /// One, or with steps one for each, the wide ones first; none where it is no pin.
+  std::vector<BarRoom> run() {
+    std::vector<BarRoom> rooms;
+    for (bool goes_on = true; goes_on;) {
+      const std::size_t most = wish_.stepped ? k_most_pin_steps : 1;
+      if (rooms.size() == most || !find_outline() || !find_end(goes_on)) return {};
+      BarRoom& room = rooms.emplace_back(BarRoom{frame_.way, {}, HalfSpace{-frame_.way, -end_}});
+      for (const HalfPlane& side : sides_)
+        room.sides.push_back({side.normal.x * frame_.across + side.normal.y * frame_.up, side.offset});
+    }
+    return rooms;
   }
 
  private:
@@ -140,6 +150,7 @@ class PinRoom {
     double from = INFINITY, to = -INFINITY;
     for (const glm::dvec3& vertex : wish_.formed) {
       const glm::dvec3 at = frame_.of(vertex);
+      if (at.z > end_) continue;
       low = glm::min(low, glm::dvec2(at));
       high = glm::max(high, glm::dvec2(at));
       from = std::min(from, at.z);
@@ -154,6 +165,7 @@ class PinRoom {
       for (std::size_t line = 0; line < grid_.lines(); ++line) {
         for (Stretch stretch : own[line]) {
           if (wish_.beside) stretch = {std::max(stretch.from, from), std::min(stretch.to, to), 0, 0};
+          stretch.to = std::min(stretch.to, end_);
           if (stretch.from >= stretch.to) continue;
           length[line] += stretch.to - stretch.from;
           begins_[line] = std::min(begins_[line], stretch.from);
@@ -161,11 +173,12 @@ class PinRoom {
         }
       }
     }
-    const double least = k_long * std::ranges::max(length);
+    const double least = (wish_.stepped ? k_long_step : k_long) * std::ranges::max(length);
     const glm::dvec2 cell = (high - low) / static_cast<double>(k_pin_lines);
     std::vector<glm::dvec2> points;
     for (const glm::dvec3& vertex : wish_.formed) {
       const glm::dvec2 at(frame_.of(vertex));
+      if (frame_.of(vertex).z > end_) continue;
       const auto is_beside = [&](std::size_t line) {
         return length[line] > least &&
                glm::length((grid_.at(line) - at) / glm::max(cell, glm::dvec2(1e-12))) < k_beside_rim;
@@ -183,13 +196,17 @@ class PinRoom {
     return is_outline(sides_);
   }
 
-  /// Within the wall that it ends at, or in the steel behind the hole.
-  bool find_end() {
+  /// Within the wall that it ends at, or in the steel behind the hole. With a step within its shoulder, where
+  /// a narrower hole goes on.
+  bool find_end(bool& goes_on) {
+    goes_on = false;
+    const double before = end_;
     const auto part = depth_columns(part_, frame_, grid_);
     const double rim = 0.03 * std::min(grid_.high.x - grid_.low.x, grid_.high.y - grid_.low.y);
     const double seat = k_seat * wish_.land;
-    double low = -INFINITY, high = INFINITY, highest = -INFINITY, begin = INFINITY;
+    double highest = -INFINITY, begin = INFINITY;
     std::size_t looked_at = 0, own = 0;
+    std::vector<Stretch> walls;
     for (std::size_t line = 0; line < grid_.lines(); ++line) {
       if (inside_by(inner_, grid_.at(line)) < rim) continue;
       ++looked_at;
@@ -197,17 +214,25 @@ class PinRoom {
       begin = std::min(begin, begins_[line]);
       if (part[line].empty()) continue;
       if (ends_[line] > -INFINITY && part[line].back().to > ends_[line]) return false;
-      low = std::max(low, part[line].back().from);
-      high = std::min(high, part[line].back().to);
+      walls.push_back(part[line].back());
       highest = std::max(highest, part[line].back().to);
     }
-    if (looked_at == 0 || 2 * own < looked_at) return false;
+    if (looked_at == 0 || 2 * own < looked_at || highest >= before) return false;
     // A hole right through, and no wall, or none before the pin's seat.
     if (highest < begin - seat) {
       end_ = begin - seat;
       return true;
     }
+    // The shoulder: what is not far behind where the pin first meets the part.
+    double low = -INFINITY, high = INFINITY;
+    for (const Stretch& wall : walls) {
+      if (wish_.stepped && wall.to < highest - seat) continue;
+      low = std::max(low, wall.from);
+      high = std::min(high, wall.to);
+    }
     end_ = high - std::min(k_in_wall, 0.5 * (high - low));
+    goes_on = std::ranges::any_of(walls, [&](const Stretch& wall) { return wall.to < end_; }) ||
+              (wish_.stepped && walls.size() < looked_at);
     return low < end_ && end_ < high;
   }
 
@@ -218,7 +243,7 @@ class PinRoom {
   std::vector<double> begins_, ends_;  // of what it forms, by line
   std::vector<glm::dvec2> inner_;      // outline of what it forms
   std::vector<HalfPlane> sides_;       // of the pin
-  double end_ = 0.0;                   // along the way
+  double end_ = INFINITY;              // along the way, of what has been found
 };
 
 /// The block without the part.
@@ -243,6 +268,31 @@ TriangleMesh steel_of(const PlainMold& plain, const MoldHalves& halves) {
   return steel;
 }
 
+/// Steps of a pin in one piece: walls that two of them share are the same facets, seen from either side.
+TriangleMesh without_inner_walls(const TriangleMesh& mesh) {
+  TriangleMesh joined;
+  std::map<std::array<double, 3>, VertexIndex> numbers;
+  std::vector<VertexIndex> number_of;
+  for (const glm::dvec3& vertex : mesh.vertices) {
+    const auto [entry, is_new] =
+        numbers.try_emplace({vertex.x, vertex.y, vertex.z}, static_cast<VertexIndex>(joined.vertices.size()));
+    if (is_new) joined.vertices.push_back(vertex);
+    number_of.push_back(entry->second);
+  }
+  using Corners = std::array<VertexIndex, 3>;
+  const auto from_least = [](Corners corners) {
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
+    return corners;
+  };
+  std::set<Corners> all;
+  for (const auto& [a, b, c] : mesh.facets)
+    all.insert(from_least({number_of[a], number_of[b], number_of[c]}));
+  for (const auto& [a, b, c] : all) {
+    if (!all.contains(from_least({a, c, b}))) joined.facets.push_back({a, b, c});
+  }
+  return joined;
+}
+
 class PinPutter {
  public:
   PinPutter(const PlainMold& plain, std::span<const BarRoom> rooms, const Progress& progress)
@@ -251,17 +301,19 @@ class PinPutter {
   std::string put(std::size_t action, MoldHalves& halves) {
     unit_ = plain_.wish.model.frame.diagonal * halves.scale;
     MoldHalves with = halves;
-    const TriangleMesh steel = steel_of(plain_, halves);
-    TriangleMesh pins;
+    TriangleMesh steel = steel_of(plain_, halves), pins;
     for (const BarRoom& room : rooms_) {
-      const auto pin = cut_by_bar(steel, room, 1.0);
+      auto pin = cut_by_bar(steel, room, 1.0);
       if (!pin) return "the block does not close around it";
       if (pin->inside.facets.empty()) return "nothing of it is left beside the part";
       if (connected_bodies(pin->inside.vertices.size(), pin->inside.facets).size() != 1)
         return "its pin is not of one piece";
       if (std::string why = cut_bodies(room, with); !why.empty()) return why;
       append(pin->inside, pins);
+      steel = std::move(pin->outside);
     }
+    if (!left_.empty()) return "it leaves some of what it is to form";
+    pins = without_inner_walls(pins);
     // The pin is exact; the halves have walls set upright.
     const double kept = signed_volume(pins) * std::pow(unit_, 3.0) - taken_;
     if (std::abs(kept) >
@@ -330,11 +382,17 @@ class PinPutter {
       if (!put_body(with, half, std::move(body), k_needle * unit_, progress_))
         return "around it its half would cross itself by rounding";
     }
+    // What another of its pins has not taken out yet.
+    for (const TriangleMesh& body : std::exchange(left_, {})) {
+      const auto cut = without_pin(body, room);
+      if (!cut) return "what it forms does not close around it";
+      take(*cut, with);
+    }
     std::vector<MoldBody> inserts = std::exchange(with.inserts, {});
     std::vector<WrittenBody> written(with.written.bodies.begin() + 2, with.written.bodies.end());
     with.written.bodies.resize(2);
     for (std::size_t k = 0; k < inserts.size(); ++k) {
-      auto cut = without_pin(inserts[k].mesh, room);
+      const auto cut = without_pin(inserts[k].mesh, room);
       if (!cut) return "what it forms does not close around it";
       if (cut->inside.facets.empty()) {
         with.inserts.push_back(std::move(inserts[k]));
@@ -343,20 +401,24 @@ class PinPutter {
       }
       if (inserts[k].kind != PieceKind::insert) return "it runs into another piece";
       with.insert_volume -= inserts[k].volume;
-      taken_ += signed_volume(cut->inside);
-      for (const auto& facets : connected_bodies(cut->outside.vertices.size(), cut->outside.facets)) {
-        if (!leave_to_plastic(mold_body(body_mesh(cut->outside.vertices, facets)), with))
-          return "it leaves some of what it is to form";
-      }
+      take(*cut, with);
     }
     return {};
+  }
+  void take(const BarCut& cut, MoldHalves& with) {
+    taken_ += signed_volume(cut.inside);
+    for (const auto& facets : connected_bodies(cut.outside.vertices.size(), cut.outside.facets)) {
+      TriangleMesh mesh = body_mesh(cut.outside.vertices, facets);
+      if (!leave_to_plastic(mold_body(mesh), with)) left_.push_back(std::move(mesh));
+    }
   }
 
   const PlainMold& plain_;
   std::span<const BarRoom> rooms_;
   const Progress& progress_;
   double unit_ = 1.0;
-  double taken_ = 0.0;  // volume, from halves and inserts
+  double taken_ = 0.0;              // volume, from halves and inserts
+  std::vector<TriangleMesh> left_;  // of inserts, by the pins so far
 };
 
 }  // namespace
@@ -386,7 +448,8 @@ std::vector<BarRoom> pin_rooms(const TriangleMesh& part, const PinWish& wish) {
                  .beside = wish.beside,
                  .way = wish.way,
                  .land = wish.land,
-                 .fit = wish.fit};
+                 .fit = wish.fit,
+                 .stepped = wish.stepped};
     const auto is_in = [&](const glm::dvec3& vertex) {
       const glm::dvec3 at(glm::dvec2(frame.of(vertex)), 0.0);
       for (std::uint32_t k = 0; k < shadows.size(); ++k) {
@@ -398,9 +461,9 @@ std::vector<BarRoom> pin_rooms(const TriangleMesh& part, const PinWish& wish) {
       if (one.find(k) == first) hole.inserts.push_back(wish.inserts[k]);
     }
     std::ranges::copy_if(wish.formed, std::back_inserter(hole.formed), is_in);
-    std::optional<BarRoom> room = PinRoom(part, hole).run();
-    if (!room) return {};
-    rooms.push_back(std::move(*room));
+    std::vector<BarRoom> own = PinRoom(part, hole).run();
+    if (own.empty()) return {};
+    std::ranges::move(own, std::back_inserter(rooms));
   }
   return rooms;
 }

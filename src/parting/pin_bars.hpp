@@ -16,16 +16,17 @@ namespace moldlight {
 
 /// What holds a slide's forming surface, a pin for each hole that is apart from the others, seen along its
 /// way: the convex outline of that, without skins on walls beside it, from its far end, in the part's wall or
-/// a little in the steel behind it, out of the block. `inserts`: bodies that it forms something of; `formed`:
-/// corners of what it forms. In the frame of the plain mold. None where one is no straight pin, or the part
-/// stands in its way.
+/// a little in the steel behind it, out of the block; with steps a bar for each, which touch. `inserts`:
+/// bodies that it forms something of; `formed`: corners of what it forms. In the frame of the plain mold.
+/// None where one is no straight pin, or the part stands in its way.
 struct PinWish {
   std::vector<const TriangleMesh*> inserts;
   std::vector<glm::dvec3> formed;
   bool beside = false;      // whether the inserts have more beside that, along the way
   glm::dvec3 way{1, 0, 0};  // unit
   double land = 0.0;
-  double fit = 1.0;  // of the usual width around what it forms
+  double fit = 1.0;      // of the usual width around what it forms
+  bool stepped = false;  // whether it may have steps, narrower from one to the next
 };
 [[nodiscard]] std::vector<BarRoom> pin_rooms(const TriangleMesh& part, const PinWish& wish);
 

@@ -19,6 +19,7 @@
 #include "parting/make_halves.hpp"
 #include "parting/slide_blank.hpp"
 #include "study/study.hpp"
+#include "support/box_pile.hpp"
 #include "support/boxes.hpp"
 #include "support/mold_checks.hpp"
 #include "support/shapes.hpp"
@@ -240,6 +241,34 @@ TEST(MoldPieces, PinsPassThroughTheSteelInTheGapsOfAHinge) {
 }
 
 /// Holes side by side are those of one slide, a pin each.
+/// Two lugs on a base, a hole through both that is wider in the first.
+TriangleMesh lugs_with_a_stepped_hole() {
+  test::BoxPile pile;
+  pile.planes = {{{0, 6, 8, 12, 14, 20}, {0, 4, 10, 14}, {0, 4, 8, 10, 14, 16, 20}}};
+  for (int x = 0; x < 5; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      for (int z = 0; z < 6; ++z) {
+        const bool wide = y == 0 && x > 0 && x < 4 && z > 1 && z < 5, narrow = x == 2 && z == 3;
+        pile.filled.push_back(z == 0 || (y != 1 && !wide && !narrow) ? 1 : 0);
+      }
+    }
+  }
+  return test::pile_mesh(pile, 5);
+}
+
+TEST(MoldPieces, APinMayHaveSteps) {
+  const TriangleMesh mesh = lugs_with_a_stepped_hole();
+  Study study = study_of(mesh);
+  const MoldPieces& pieces = study.find<MoldPieces>(Progress());
+  const std::vector<TriangleMesh> bodies = certified_pieces(mesh, pieces, PieceKind::slide, 1);
+  ASSERT_FALSE(bodies.empty());
+  const double slack = study.model().frame.diagonal / 2048.0;
+  for (const std::size_t still : {0U, 1U, 2U})
+    EXPECT_LE(way_out(bodies[3], bodies[still], {0, -1, 0}, INFINITY, slack).blocked, slack) << still;
+  // Through the hole in either lug, and the steel between them.
+  EXPECT_GT(pieces.halves.inserts[0].volume, 8.0 * 8.0 * 4.0 + 4.0 * 4.0 * 10.0);
+}
+
 TEST(MoldPieces, PinsOfHolesThatAreApartAreOneSlide) {
   const TriangleMesh mesh = hinge_leaf({8.0, 22.0}, 3.0);
   Study study = study_of(mesh);
