@@ -210,6 +210,7 @@ WrittenMold written_mold(const MoldHalves& halves) {
 }
 
 std::size_t mend_crossed(MoldHalves& halves, std::size_t number, double thinnest, const Progress& progress) {
+  constexpr double k_short_edge = 10.0;  // of the thinnest facet: shorter ones of an insert are rounding
   TriangleMesh& mesh = halves.written.bodies[number].mesh;
   MoldBody& body = body_of(halves, number);
   std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
@@ -226,6 +227,16 @@ std::size_t mend_crossed(MoldHalves& halves, std::size_t number, double thinnest
     } else {
       mended = crossed.size() - std::min(crossed.size(), left.size());
       crossed = std::move(left);
+    }
+  }
+  if (!crossed.empty() && number >= 2) {
+    TriangleMesh shorter = mesh;
+    collapse_short_edges(shorter, k_short_edge * thinnest);
+    std::vector<FacetIndex> left = crossed_facets(shorter, progress);
+    if (left.empty()) {
+      mended += crossed.size();
+      mesh = std::move(shorter);
+      crossed.clear();
     }
   }
   body.crossed_facets = crossed.size();

@@ -86,7 +86,7 @@ class PieceMaker {
       for (const bool stepped : {false, true}) {
         for (const bool with_skins : {true, false}) {
           // Where one runs along an edge of a half by rounding, a wider one may not.
-          for (const double fit : {1.0, 1.7, 5.0, 12.0}) {
+          for (const double fit : {1.0, 1.7}) {
             if (why.empty() || !is_slide(action.kind)) continue;
             const std::vector<BarRoom> rooms = pins_of(unmade.action, with_skins, fit, stepped);
             if (!rooms.empty()) why = put_pins(plain_, unmade.action, rooms, halves, progress_);

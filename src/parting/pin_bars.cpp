@@ -14,6 +14,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "mesh/edge_collapse.hpp"
 #include "mesh/health.hpp"
 #include "mesh/union_find.hpp"
 #include "parting/halves/bodies.hpp"
@@ -31,6 +32,7 @@ constexpr double k_seat = 0.3;        // of the land, into steel at the far end 
 constexpr double k_long = 0.25;       // of the longest line: less of what it forms are skins beside the hole
 constexpr double k_beside_rim = 3.0;  // cells off lines that long: one that meets an edge may be missed
 constexpr double k_long_step = 0.005;  // likewise where it has steps
+constexpr double k_short = 1e-6;      // in diagonals: shorter edges of a half beside it are rounding
 constexpr std::size_t k_most_pin_steps = 4;
 constexpr std::size_t k_pin_lines = 64, k_most_sides = 256;
 
@@ -372,7 +374,9 @@ class PinPutter {
       // Chips are left to the plastic.
       bool found = false;
       for (const auto& facets : connected_bodies(cut->outside.vertices.size(), cut->outside.facets)) {
-        MoldBody left = mold_body(body_mesh(cut->outside.vertices, facets));
+        TriangleMesh mesh = body_mesh(cut->outside.vertices, facets);
+        collapse_short_edges(mesh, k_short * unit_);
+        MoldBody left = mold_body(std::move(mesh));
         if (leave_to_plastic(left, with)) continue;
         if (found) return "its half would fall apart";
         found = true;
