@@ -59,16 +59,6 @@ MoldBody scaled_body(const std::vector<glm::dvec3>& vertices, const Facets& face
   return body;
 }
 
-double centred_volume(const TriangleMesh& mesh, const glm::dvec3& centre) {
-  long double volume = 0.0L;
-  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    volume += static_cast<long double>(
-        glm::dot(mesh.corner(facet, 0) - centre,
-                 glm::cross(mesh.corner(facet, 1) - centre, mesh.corner(facet, 2) - centre)));
-  }
-  return static_cast<double>(volume / 6.0L);
-}
-
 /// What the halves are made from.
 struct HalvesWish {
   const SplitMesh& split;    // numbers facets as the part does, then those of what is beside it
@@ -133,9 +123,8 @@ class Trial {
       return MoldFault{"facets are so small or so close that their corners coincide by rounding",
                        k_avoid_rounding, at};
     if (auto fault = residual(sheets_, diagonal)) return fault;
-    sheets_.keep_volume(
-        centred_volume(asked_.mesh, asked_.model.frame.center) / (diagonal * diagonal * diagonal) + capped_,
-        k_most_restored);
+    sheets_.keep_volume(signed_volume(asked_.mesh) / (diagonal * diagonal * diagonal) + capped_,
+                        k_most_restored);
     if (auto fault = overlap()) return fault;
     const double margin = block_margin(asked_.settings, diagonal) / diagonal;
     const Bounds box = box_of(sheets_);
@@ -344,10 +333,8 @@ class Trial {
   std::optional<MoldFault> certify(const Progress& progress) {
     const double scale = halves_.scale * halves_.scale * halves_.scale;
     const double diagonal = frame_.diagonal;
-    halves_.part_volume = scale * (centred_volume(asked_.mesh, asked_.model.frame.center) +
-                                   capped_ * diagonal * diagonal * diagonal);
-    halves_.upright_volume =
-        halves_.part_volume - scale * centred_volume(asked_.model.part.mesh, asked_.model.frame.center);
+    halves_.part_volume = scale * (signed_volume(asked_.mesh) + capped_ * diagonal * diagonal * diagonal);
+    halves_.upright_volume = halves_.part_volume - scale * signed_volume(asked_.model.part.mesh);
     halves_.volume_gap = halves_.share_left();
     if (std::abs(halves_.volume_gap) > k_most_gap)
       return MoldFault{

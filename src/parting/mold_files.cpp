@@ -210,7 +210,8 @@ WrittenMold written_mold(const MoldHalves& halves) {
 }
 
 std::size_t mend_crossed(MoldHalves& halves, std::size_t number, double thinnest, const Progress& progress) {
-  constexpr double k_short_edge = 10.0;  // of the thinnest facet: shorter ones of an insert are rounding
+  // Of the thinnest facet: edges of an insert that are shorter are rounding.
+  constexpr double k_short_edges[] = {10.0, 100.0};
   TriangleMesh& mesh = halves.written.bodies[number].mesh;
   MoldBody& body = body_of(halves, number);
   std::vector<FacetIndex> crossed = crossed_facets(mesh, progress);
@@ -229,15 +230,14 @@ std::size_t mend_crossed(MoldHalves& halves, std::size_t number, double thinnest
       crossed = std::move(left);
     }
   }
-  if (!crossed.empty() && number >= 2) {
+  for (const double length : k_short_edges) {
+    if (crossed.empty() || number < 2) break;
     TriangleMesh shorter = mesh;
-    collapse_short_edges(shorter, k_short_edge * thinnest);
-    std::vector<FacetIndex> left = crossed_facets(shorter, progress);
-    if (left.empty()) {
-      mended += crossed.size();
-      mesh = std::move(shorter);
-      crossed.clear();
-    }
+    collapse_short_edges(shorter, length * thinnest);
+    if (!crossed_facets(shorter, progress).empty()) continue;
+    mended += crossed.size();
+    mesh = std::move(shorter);
+    crossed.clear();
   }
   body.crossed_facets = crossed.size();
   if (!crossed.empty())
