@@ -130,7 +130,8 @@ const std::vector<ResultColumn>& result_columns() {
         {"facets", "INTEGER", [](const R& r) { return or_null(r.facets); }},
         {"closed", "INTEGER", [](const R& r) { return or_null(r.closed); }},
         {"verdict", "TEXT", [](const R& r) { return Json(r.verdict); }},
-        {"sentence", "TEXT", [](const R& r) { return Json(r.sentence); }}};
+        {"sentence", "TEXT", [](const R& r) { return Json(r.sentence); }},
+        {"reasons", "TEXT", [](const R& r) { return Json(r.reasons); }}};
     for (const std::size_t axis : {0U, 1U, 2U})
       columns.push_back({fmt::format("direction_{}", "xyz"[axis]), "REAL",
                          [axis](const R& r) { return r.direction ? Json((*r.direction)[axis]) : Json(); }});

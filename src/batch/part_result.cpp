@@ -65,6 +65,12 @@ void take_report(const Json& report, PartResult& result) {
   if (const auto verdict = report.find("verdict"); verdict != report.end() && verdict->is_object()) {
     result.verdict = member<std::string>(*verdict, "state").value_or("");
     result.sentence = member<std::string>(*verdict, "sentence").value_or("");
+    const auto reasons = verdict->find("reasons");
+    for (const Json& reason : reasons != verdict->end() && reasons->is_array() ? *reasons : Json::array()) {
+      if (!reason.is_string()) continue;
+      result.reasons += result.reasons.empty() ? "" : " ";
+      result.reasons += reason.get<std::string>();
+    }
   }
   const auto part = report.find("part");
   if (part == report.end() || !part->is_object()) return;

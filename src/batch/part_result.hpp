@@ -55,6 +55,7 @@ struct PartResult {
   std::optional<double> facets;
   std::optional<bool> closed;
   std::string verdict, sentence;  // its state and what it says; empty where unknown
+  std::string reasons;            // what else that says, a sentence after the other
   std::optional<std::array<double, 3>> direction;
   std::array<std::optional<double>, k_figure_count> figures;
   std::optional<double> elapsed_s;

@@ -94,6 +94,7 @@ TEST_F(Merge, TheTableHasEveryRowOnce) {
   EXPECT_EQ(table[2][column("unit")], "mm");
   EXPECT_EQ(table[2][column("verdict")], "side-actions");
   EXPECT_EQ(table[2][column("sentence")], "Some undercut.");
+  EXPECT_EQ(table[2][column("reasons")], "Two reasons. And another.");
   EXPECT_EQ(table[3][column("state")], "failed");
   EXPECT_EQ(table[3][column("reason")], "holds no facets");
   EXPECT_EQ(table[4][column("state")], "missing");

@@ -61,6 +61,7 @@ inline Json done(double undercut, int actions) {
             {"verdict",
              {{"state", actions > 0 ? "side-actions" : "undercuts"},
               {"sentence", "Some undercut."},
+              {"reasons", {"Two reasons.", "And another."}},
               {"undercuts", 1},
               {"undercut_area", undercut},
               {"unreleased_area", 0.0}}}}}};
