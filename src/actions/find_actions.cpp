@@ -229,7 +229,10 @@ class ActionSearch::Finder {
   void find_pulls() {
     progress_.report("looking for side actions", 0.0);
     for_each_atom([&](std::size_t k) {
-      if (undercut_parts_[k].wanted()) find_pulls_of(undercut_parts_[k]);
+      UndercutPart& undercut_part = undercut_parts_[k];
+      const auto own = std::ranges::find(candidates(undercut_part), true, &PullCandidate::of_hole);
+      if (own != candidates(undercut_part).end()) undercut_part.axis = own->direction;
+      if (undercut_part.wanted()) find_pulls_of(undercut_part);
     });
   }
 

@@ -23,6 +23,8 @@ namespace moldlight {
 namespace {
 
 constexpr double k_meeting_cost = 100.0;  // of two that meet: more than what can be done instead
+/// Of a slide's price, for what of a hole it forms across the hole's axis: more than 10 degrees off it.
+constexpr double k_off_axis = 0.6, k_along_axis = 0.985;
 constexpr int k_most_rounds = 40;
 /// Of pairs that are asked whether they meet before they are chosen.
 constexpr std::size_t k_pairs_ahead = 1000;
@@ -243,9 +245,33 @@ class LeastSet {
     return std::move(*best);
   }
 
+  /// Whether a slide forms something of a hole across the hole's axis.
+  [[nodiscard]] bool is_off_axis(const Pull& pull, std::size_t undercut_part) const {
+    const auto& axis = undercut_parts_[undercut_part].axis;
+    return axis && is_slide(pull.kind) && !pull.about &&
+           std::abs(glm::dot(*axis, pull.direction)) < k_along_axis;
+  }
+
+  /// A hole is formed along its axis: that two slides for others form a side of it each is worth no slide,
+  /// that one of them forms all of it is.
+  [[nodiscard]] double cost_of(const ActionOption& option) const {
+    const ActionPrices& prices = context_.settings.prices;
+    const auto off_axis = std::ranges::count_if(
+        option.undercut_parts, [&](std::size_t part) { return is_off_axis(option.pull, part); });
+    return pull_cost(option.pull, prices) +
+           k_off_axis * static_cast<double>(off_axis) * prices[static_cast<std::size_t>(ActionKind::slide)];
+  }
+
+  /// With what slides form along the axes of holes by itself, too.
   void add(std::vector<ActionOption> options) {
     for (ActionOption& option : options) {
-      priced_.push_back({option.undercut_parts, pull_cost(option.pull, context_.settings.prices)});
+      ActionOption along = option;
+      std::erase_if(along.undercut_parts, [&](std::size_t part) { return is_off_axis(option.pull, part); });
+      if (!along.undercut_parts.empty() && along.undercut_parts.size() < option.undercut_parts.size()) {
+        priced_.push_back({along.undercut_parts, cost_of(along)});
+        options_.push_back(std::move(along));
+      }
+      priced_.push_back({option.undercut_parts, cost_of(option)});
       options_.push_back(std::move(option));
     }
   }

@@ -19,7 +19,7 @@ namespace {
 constexpr double k_same_deg = 0.01;       // the rounding of files turns walls and axes by less
 constexpr std::size_t k_most_planes = 8;  // of an undercut, the largest
 constexpr std::size_t k_most_walls = 4;   // round ones looked for
-constexpr double k_plane_cosine = 0.99999;
+constexpr double k_plane_cosine = 0.99999, k_smooth_wall = 0.7;
 
 /// Facets of an undercut by the plane they lie in, and the area there.
 struct Plane {
@@ -65,6 +65,31 @@ std::vector<Plane> planes_of(const PulledSurface& surface, const Undercut& under
   return planes;
 }
 
+/// Whether a round wall faces its axis around a facet, as that of a hole does: the facets beside it, across a
+/// bend, lie in front of it.
+bool is_hollow(const PartModel& model, FacetIndex facet) {
+  const TriangleMesh& mesh = model.part.mesh;
+  const glm::dvec3& normal = model.geometry.normals[facet];
+  const auto ahead = [&](FacetIndex beside) {
+    double most = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const double its = glm::dot(mesh.corner(beside, k) - mesh.corner(facet, 0), normal);
+      most = std::abs(its) > std::abs(most) ? its : most;
+    }
+    return most;
+  };
+  double sum = 0.0;
+  for (const FacetIndex beside : model.adjacency.across[facet]) {
+    if (beside == k_no_facet || glm::dot(model.geometry.normals[beside], normal) < k_smooth_wall) continue;
+    sum += ahead(beside);
+    for (const FacetIndex next : model.adjacency.across[beside]) {
+      if (next != k_no_facet && glm::dot(model.geometry.normals[next], normal) > k_smooth_wall)
+        sum += ahead(next);
+    }
+  }
+  return sum > 0.0;
+}
+
 /// Collects directions, each once.
 class Collector {
  public:
@@ -72,17 +97,17 @@ class Collector {
       : direction_(direction), incline_deg_(incline_deg) {}
 
   /// As it is and level, in both senses.
-  void add_line(const glm::dvec3& line, PullSource source) {
+  void add_line(const glm::dvec3& line, PullSource source, bool of_hole = false) {
     const double length = glm::length(line);
     if (length < 1e-9) return;
-    for (const double sense : {1.0, -1.0}) add(sense / length * line, source);
+    for (const double sense : {1.0, -1.0}) add(sense / length * line, source, of_hole);
   }
-  void add(const glm::dvec3& pull, PullSource source) {
+  void add(const glm::dvec3& pull, PullSource source, bool of_hole = false) {
     const glm::dvec3 level = pull - glm::dot(pull, direction_) * direction_;
     // In the plane, to rounding, or close to it by rounding of the file: the plane's own.
-    if (glm::length(level) > 1e-3) put({glm::normalize(level), source});
+    if (glm::length(level) > 1e-3) put({glm::normalize(level), source, of_hole});
     const double angle_deg = std::abs(elevation_deg(pull, direction_));
-    if (angle_deg > 0.01 && angle_deg <= incline_deg_) put({pull, source});
+    if (angle_deg > 0.01 && angle_deg <= incline_deg_) put({pull, source, of_hole});
   }
   [[nodiscard]] std::vector<PullCandidate> take() { return std::move(found_); }
 
@@ -92,6 +117,7 @@ class Collector {
     for (PullCandidate& known : found_) {
       if (glm::dot(known.direction, candidate.direction) < near) continue;
       known.source = std::min(known.source, candidate.source);
+      known.of_hole = known.of_hole || candidate.of_hole;
       return;
     }
     found_.push_back(candidate);
@@ -122,8 +148,9 @@ std::vector<PullCandidate> own_pulls(const PulledSurface& surface, const Undercu
     if (!wall) continue;
     // A rounded edge says less of how an undercut leaves than the walls of the part do.
     constexpr double k_least_wall = 0.3;  // of the undercut's area
-    found.add_line(wall->axis,
-                   wall->area >= k_least_wall * undercut.area ? PullSource::exact : PullSource::shape);
+    const bool exact = wall->area >= k_least_wall * undercut.area;
+    found.add_line(wall->axis, exact ? PullSource::exact : PullSource::shape,
+                   exact && is_hollow(model, plane.facet));
     ++walls;
   }
   glm::dvec3 mean(0.0);

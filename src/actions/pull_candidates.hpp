@@ -20,6 +20,7 @@ enum class PullSource : std::uint8_t { wish, exact, part, shape, even };
 struct PullCandidate {
   glm::dvec3 direction{1, 0, 0};  // unit
   PullSource source = PullSource::even;
+  bool of_hole = false;  // exact, and its wall faces the axis
 };
 
 /// What the part, and the surface of one undercut, suggest, both senses: directions of the part's walls, axes

@@ -18,11 +18,12 @@ struct UndercutPart {
   std::vector<Pull> pulls = {};
   std::vector<Pull> rejected = {};  // lifters that cannot be built, the shortest first
   bool whole = true;
-  const ActionPin* pin = nullptr;    // of its undercut
-  bool covered = false;              // by another body of the part: nothing releases it
-  std::optional<CorePin> thin = {};  // the pin that would form it, thinner than pins may be
-  std::optional<Pull> steep = {};    // a slide that would release it, but leans more than slides may
-  bool shallow = false;              // clear within the least travel: it needs no action
+  const ActionPin* pin = nullptr;       // of its undercut
+  bool covered = false;                 // by another body of the part: nothing releases it
+  std::optional<CorePin> thin = {};     // the pin that would form it, thinner than pins may be
+  std::optional<Pull> steep = {};       // a slide that would release it, but leans more than slides may
+  std::optional<glm::dvec3> axis = {};  // of the hole that it is of, unit
+  bool shallow = false;                 // clear within the least travel: it needs no action
 
   [[nodiscard]] bool allows(ActionKind kind) const {
     return !covered && !shallow && !thin && (pin == nullptr || pin->allows(kind));

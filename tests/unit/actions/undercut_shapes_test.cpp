@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mold/direction.hpp"
+#include "support/boxes.hpp"
 #include "unit/actions/known_undercuts.hpp"
 
 namespace moldlight {
@@ -43,6 +44,37 @@ TEST(Dovetail, IsASlideAlongIt) {
   EXPECT_NEAR(std::abs(action.direction.y), 1.0, 1e-6);
   EXPECT_NEAR(action.travel, k_length + k_clearance_mm, 0.1);
   EXPECT_TRUE(planned.plan.unreleased.empty());
+}
+
+/// Six plates around the z axis that lean inward, each with a hole across it: from above one sees through its
+/// middle, so that its sides are an undercut each.
+TriangleMesh leaning_plates() {
+  TriangleMesh all;
+  for (int k = 0; k < 6; ++k) {
+    Loop2 hole = regular_polygon(32, 3.0);
+    for (glm::dvec2& point : hole) point += glm::dvec2(0, 6);
+    SolidBuilder plate;
+    plate.extrude({{-6, 0}, {6, 0}, {6, 12}, {-6, 12}}, {hole}, 2.0);
+    TriangleMesh mesh = plate.mesh();
+    for (glm::dvec3& vertex : mesh.vertices) vertex.y += 26.0 - 0.45 * vertex.z;
+    all = test::joined(all, test::rotated(mesh, glm::angleAxis(glm::radians(60.0 * k), glm::dvec3(0, 0, 1))));
+  }
+  return all;
+}
+
+TEST(HolesAllAround, HaveASlideEachAlongTheirAxis) {
+  const Planned planned = plan_of(leaning_plates());
+  ASSERT_EQ(planned.plan.undercuts.size(), 12U);
+  EXPECT_TRUE(planned.plan.unreleased.empty());
+  ASSERT_EQ(actions_text(planned.plan), "6 slides");
+  for (const SideAction& action : planned.plan.actions) {
+    EXPECT_EQ(action.feature, "hole");
+    ASSERT_EQ(action.undercuts.size(), 2U);
+    const glm::dvec3 &one = planned.plan.undercuts[action.undercuts[0]].undercut.centre,
+                     &other = planned.plan.undercuts[action.undercuts[1]].undercut.centre;
+    const glm::dvec3 outward(glm::normalize(glm::dvec2(one + other)), 0.0);
+    EXPECT_GT(glm::dot(action.direction, outward), 0.9999);
+  }
 }
 
 /// A pocket in a side, wider at its bottom by `wider` all around.
