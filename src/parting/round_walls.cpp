@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -26,6 +27,7 @@ constexpr double k_smooth = 0.87;  // cosine of the bend
 /// A corner is off the chord beside it by at most so much of how far it is from the nearer end.
 constexpr double k_steepest = 0.25;
 constexpr double k_same_curve = 0.5;    // how much the curve of walls in line may differ from each other's
+constexpr double k_wide_cell = 8.0;     // reaches
 constexpr double k_one_column = 1e-4;   // corners closer than this, in diagonals, are one
 constexpr double k_least_lean = 1e-10;  // a facet stands that is no wider as seen along the direction
 constexpr int k_most_divided = 32;      // times
@@ -194,55 +196,52 @@ class WallDivider {
     }
   }
 
+  using Cell = std::array<std::int64_t, 2>;
+  [[nodiscard]] Cell wide_cell(const glm::dvec2& at) const {
+    const glm::dvec2 cell = glm::floor(at / (k_wide_cell * reach_));
+    return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y)};
+  }
+  [[nodiscard]] glm::dvec2 facing(FacetIndex facet) const {
+    return glm::normalize(glm::dvec2(twice_area(facet)));
+  }
+
+  /// Which way the walls face at each of their columns.
+  [[nodiscard]] std::map<VertexIndex, glm::dvec2> column_normals() const {
+    std::map<VertexIndex, glm::dvec2> normals;
+    for (FacetIndex facet = 0; facet < in_wall_.size(); ++facet) {
+      if (in_wall_[facet] == Membership::none) continue;
+      const std::array<VertexIndex, 3> corners = along(facet);
+      for (const VertexIndex corner : corners)
+        normals[column_of_[corner]] += facing(facet) / glm::distance(seen(corners[0]), seen(corners[1]));
+    }
+    for (auto& [column, normal] : normals) {
+      if (normal != glm::dvec2(0.0)) normal = glm::normalize(normal);
+    }
+    return normals;
+  }
+
   /// Walls that go on behind a gap, a branch or a hole, are divided there as before it: columns of one that
   /// are on the curve of the other. Adds facets to `next`.
   void find_in_line(std::vector<FacetIndex>& next) {
-    const double cell = 8.0 * reach_;
-    if (cell <= 0.0) return;
-    const auto cell_of = [cell](const glm::dvec2& at) {
-      return std::array<std::int64_t, 2>{static_cast<std::int64_t>(std::floor(at.x / cell)),
-                                         static_cast<std::int64_t>(std::floor(at.y / cell))};
-    };
-    std::map<VertexIndex, glm::dvec2> normals;  // of columns
+    if (reach_ <= 0.0) return;
+    const std::map<VertexIndex, glm::dvec2> normals = column_normals();
+    std::map<Cell, std::vector<VertexIndex>> in_cell;
+    for (const auto& [column, normal] : normals) in_cell[wide_cell(seen(column))].push_back(column);
     for (FacetIndex facet = 0; facet < in_wall_.size(); ++facet) {
       if (in_wall_[facet] == Membership::none) continue;
-      const auto [a, b, c] = along(facet);
-      const glm::dvec2 normal = glm::normalize(glm::dvec2(twice_area(facet)));
-      for (const VertexIndex corner : {a, b, c})
-        normals[column_of_[corner]] += normal / glm::distance(seen(a), seen(b));
-    }
-    std::map<std::array<std::int64_t, 2>, std::vector<VertexIndex>> in_cell;
-    for (auto& [column, normal] : normals) {
-      in_cell[cell_of(seen(column))].push_back(column);
-      if (normal != glm::dvec2(0.0)) normal = glm::normalize(normal);
-    }
-    for (FacetIndex facet = 0; facet < in_wall_.size(); ++facet) {
-      if (in_wall_[facet] == Membership::none) continue;
-      const auto [a, b, c] = along(facet);
-      const glm::dvec2 chord = seen(b) - seen(a);
-      const double length = glm::length(chord);
-      const double bend =
-          std::acos(std::clamp(glm::dot(normals.at(column_of_[a]), normals.at(column_of_[b])), -1.0, 1.0));
-      const glm::dvec2 normal = glm::normalize(glm::dvec2(twice_area(facet)));
-      const auto is_in_line = [&](VertexIndex column) {
-        const double along_it = share(a, b, column);
-        if (along_it <= 0.0 || along_it >= 1.0 || !is_beside(a, b, column, 1.0)) return false;
-        const double curve = 0.5 * length * bend * along_it * (1.0 - along_it);
-        const double beside = off(a, b, column);
-        return beside <= reach_ && std::abs(beside - curve) <= k_same_curve * curve &&
-               glm::dot(normals.at(column), normal) > k_smooth;
-      };
+      const std::array<VertexIndex, 3> ends = along(facet);
+      const double bend = std::acos(
+          std::clamp(glm::dot(normals.at(column_of_[ends[0]]), normals.at(column_of_[ends[1]])), -1.0, 1.0));
+      const auto low = wide_cell(glm::min(seen(ends[0]), seen(ends[1])) - reach_),
+                 high = wide_cell(glm::max(seen(ends[0]), seen(ends[1])) + reach_);
       std::vector<VertexIndex> found;
-      const auto low = cell_of(glm::min(seen(a), seen(b)) - reach_),
-                 high = cell_of(glm::max(seen(a), seen(b)) + reach_);
       for (std::int64_t x = low[0]; x <= high[0]; ++x) {
         for (std::int64_t y = low[1]; y <= high[1]; ++y) {
           const auto here = in_cell.find({x, y});
           if (here == in_cell.end()) continue;
-          for (const VertexIndex column : here->second) {
-            const bool own = column == column_of_[a] || column == column_of_[b] || column == column_of_[c];
-            if (!own && is_in_line(column)) found.push_back(column);
-          }
+          std::ranges::copy_if(here->second, std::back_inserter(found), [&](VertexIndex column) {
+            return glm::dot(normals.at(column), facing(facet)) > k_smooth && is_in_line(ends, bend, column);
+          });
         }
       }
       if (found.empty()) continue;
@@ -250,6 +249,18 @@ class WallDivider {
       if (in_wall_[facet] != Membership::waiting) next.push_back(facet);
       in_wall_[facet] = Membership::waiting;
     }
+  }
+  /// Whether a column that is none of its own is on the curve of a facet, whose ends face ways that differ by
+  /// `bend`, radians.
+  [[nodiscard]] bool is_in_line(const std::array<VertexIndex, 3>& ends, double bend,
+                                VertexIndex column) const {
+    const auto is_column = [&](VertexIndex corner) { return column_of_[corner] == column; };
+    if (std::ranges::any_of(ends, is_column)) return false;
+    const double its = share(ends[0], ends[1], column);
+    if (its <= 0.0 || its >= 1.0 || !is_beside(ends[0], ends[1], column, 1.0)) return false;
+    const double curve = 0.5 * glm::distance(seen(ends[0]), seen(ends[1])) * bend * its * (1.0 - its);
+    const double beside = off(ends[0], ends[1], column);
+    return beside <= reach_ && std::abs(beside - curve) <= k_same_curve * curve;
   }
 
   /// Divides a facet's sides at all columns that one of them is divided at, and at the corner between; adds
