@@ -204,6 +204,10 @@ class PieceMaker {
                           : "the halves cannot be made around it: " + halves.refusal;
       return std::nullopt;
     }
+    if (loose_of(halves) > loose_of(plain_.wish.plain)) {
+      why = "it would come out of the part beside what it forms";
+      return std::nullopt;
+    }
     why = divide_shared(tried, halves);
     if (!why.empty()) return std::nullopt;
     for (std::size_t k = 0; k < tried.size(); ++k) {
@@ -211,6 +215,16 @@ class PieceMaker {
       if (!why.empty()) return std::nullopt;
     }
     return halves;
+  }
+
+  /// Bodies between the halves, no slides, on which there is no undercut: what a blank cuts off where it
+  /// comes out of the part.
+  [[nodiscard]] std::size_t loose_of(const MoldHalves& halves) const {
+    const std::vector<InsertActions> of = actions_of_inserts(halves, plain_.wish.split, plain_.wish.plan);
+    std::size_t loose = 0;
+    for (std::size_t k = 0; k < of.size(); ++k)
+      loose += halves.inserts[k].blanks.empty() && of[k].actions.empty() && of[k].unreleased == 0 ? 1 : 0;
+    return loose;
   }
 
   /// Gives each slide of a body that several actions form what it can take out with it, the one that releases

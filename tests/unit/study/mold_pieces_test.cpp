@@ -29,13 +29,14 @@
 namespace moldlight {
 namespace {
 
-Study study_of(const TriangleMesh& mesh) {
+Study study_of(const TriangleMesh& mesh, const MoldSettings& mold = {}) {
   Part part;
   part.unit = "mm";
   part.mesh = mesh;
   part.bodies = {{"", 0, static_cast<FacetIndex>(mesh.facets.size())}};
   Questions questions;
   questions.with_actions = true;
+  questions.mold = mold;
   return Study(prepare_part(std::move(part), Progress()), questions);
 }
 
@@ -267,6 +268,29 @@ TEST(MoldPieces, APinMayHaveSteps) {
     EXPECT_LE(way_out(bodies[3], bodies[still], {0, -1, 0}, INFINITY, slack).blocked, slack) << still;
   // Through the hole in either lug, and the steel between them.
   EXPECT_GT(pieces.halves.inserts[0].volume, 8.0 * 8.0 * 4.0 + 4.0 * 4.0 * 10.0);
+}
+
+/// A block with a blind bore, and a groove across above it: the slide's land and draft reach into it.
+TriangleMesh block_with_bore_under_a_groove() {
+  test::BoxPile pile;
+  pile.planes = {{{0, 10, 20, 30}, {0, 2, 50, 54, 60}, {0, 5, 15, 17, 20}}};
+  for (int x = 0; x < 3; ++x) {
+    for (int y = 0; y < 4; ++y) {
+      for (int z = 0; z < 4; ++z) {
+        const bool bore = x == 1 && y > 0 && z == 1, groove = y == 2 && z == 3;
+        pile.filled.push_back(bore || groove ? 0 : 1);
+      }
+    }
+  }
+  return test::pile_mesh(pile, 5);
+}
+
+TEST(MoldPieces, ASlideDoesNotComeOutOfThePartBesideItsBore) {
+  const TriangleMesh mesh = block_with_bore_under_a_groove();
+  MoldSettings mold;
+  mold.parting_height = 10.0;
+  Study study = study_of(mesh, mold);
+  EXPECT_FALSE(certified_pieces(mesh, study.find<MoldPieces>(Progress()), PieceKind::slide, 1).empty());
 }
 
 TEST(MoldPieces, PinsOfHolesThatAreApartAreOneSlide) {
