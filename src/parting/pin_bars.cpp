@@ -28,11 +28,11 @@ namespace {
 
 /// How far around what it forms the pin reaches, and how deep into the wall at its end, in diagonals.
 constexpr double k_fit = 3e-5, k_in_wall = 1e-3;
-constexpr double k_seat = 0.3;        // of the land, into steel at the far end of a hole
-constexpr double k_long = 0.25;       // of the longest line: less of what it forms are skins beside the hole
-constexpr double k_beside_rim = 3.0;  // cells off lines that long: one that meets an edge may be missed
+constexpr double k_seat = 0.3;         // of the land, into steel at the far end of a hole
+constexpr double k_long = 0.25;        // of the longest line: less of what it forms are skins beside the hole
+constexpr double k_beside_rim = 3.0;   // cells off lines that long: one that meets an edge may be missed
 constexpr double k_long_step = 0.005;  // likewise where it has steps
-constexpr double k_short = 1e-6;      // in diagonals: shorter edges of a half beside it are rounding
+constexpr double k_short = 1e-6;       // in diagonals: shorter edges of a half beside it are rounding
 constexpr std::size_t k_most_pin_steps = 4;
 constexpr std::size_t k_pin_lines = 64, k_most_sides = 256;
 
