@@ -252,8 +252,8 @@ class LeastSet {
            std::abs(glm::dot(*axis, pull.direction)) < k_along_axis;
   }
 
-  /// A hole is formed along its axis: that two slides for others form a side of it each is worth no slide,
-  /// that one of them forms all of it is.
+  /// A hole is formed along its axis. A slide for it is dearer than all of the hole in another's way, and
+  /// cheaper than its two sides in the ways of two others.
   [[nodiscard]] double cost_of(const ActionOption& option) const {
     const ActionPrices& prices = context_.settings.prices;
     const auto off_axis = std::ranges::count_if(
@@ -262,7 +262,7 @@ class LeastSet {
            k_off_axis * static_cast<double>(off_axis) * prices[static_cast<std::size_t>(ActionKind::slide)];
   }
 
-  /// With what slides form along the axes of holes by itself, too.
+  /// Each, and what it forms of holes along their axes by itself, too.
   void add(std::vector<ActionOption> options) {
     for (ActionOption& option : options) {
       ActionOption along = option;

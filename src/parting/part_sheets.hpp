@@ -32,12 +32,13 @@ struct PartSheets {
   Sheets sheets;
   double added = 0.0;
 };
-/// Of a mesh that is split at no draft; its facets from number `beside` on are of other bodies. Upright
-/// facets are left out; ends do not stand in columns yet. Caps are those of this mesh, null for none.
+/// Those of a mesh; null for none.
 struct SheetCaps {
   const WallCaps* walls = nullptr;
   const ThroughCaps* through = nullptr;
 };
+/// Of a mesh that is split at no draft; its facets from number `beside` on are of other bodies. Upright
+/// facets are left out; ends do not stand in columns yet.
 [[nodiscard]] PartSheets part_sheets(const SplitMesh& split, FacetIndex beside, const SheetFrame& frame,
                                      const SheetTolerance& attempt, const SheetCaps& caps);
 
