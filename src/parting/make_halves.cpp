@@ -48,6 +48,7 @@ constexpr double k_least_contact = 1.1e-4, k_least_missed = 1e-5;
 constexpr double k_usual_lateral = 1.0 / 2048.0;  // of the diagonal
 constexpr double k_upright_reach = 2.0;           // lateral tolerances
 constexpr double k_level_enough = 0.9;            // of the surface, in one plane
+constexpr double k_more_contact = 1.5;  // with slides than without, where another try is worth its time
 using Facets = std::vector<std::array<SheetVertex, 3>>;
 
 MoldBody scaled_body(const std::vector<glm::dvec3>& vertices, const Facets& facets, double scale) {
@@ -472,7 +473,7 @@ MoldHalves make_halves(const PartModel& model, const glm::dvec3& direction, cons
     if (upright && !capped) try_mesh(*upright);
   }
   if (!beside.blanks.empty()) {
-    if (!best || best->contact_area > 0.0) try_mesh(own);
+    if (!best || best->contact_area > k_more_contact * beside.contact_area) try_mesh(own);
   } else if (!best || !best->clean() || best->contact_area > 0.0) {
     try_all(model.exact(progress), own);
   }

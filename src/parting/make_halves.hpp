@@ -37,6 +37,7 @@ struct Beside {
   glm::dvec2 low{0.0}, high{0.0};  // in the mold's frame, in diagonals
   double margin = 0.0;             // what MoldHalves::margin says of that block
   bool divides = true;             // whether round walls may be divided
+  double contact_area = 0.0;       // of the halves without them: no more is wanted with them
 };
 
 /// The halves for a unit direction, whatever the undercut. Faces given to a half by hand, as the settings

@@ -190,7 +190,8 @@ class PieceMaker {
                   plain_.wish.plain.block_low,
                   plain_.wish.plain.block_high,
                   plain_.wish.plain.margin,
-                  divides_};
+                  divides_,
+                  plain_.wish.plain.contact_area};
     for (const Tried& one : tried) beside.blanks.push_back(one.blank);
     return make_halves(plain_.wish.model, plain_.wish.plain.frame.z, plain_.wish.place, plain_.wish.settings,
                        progress_, beside);
@@ -332,7 +333,7 @@ MoldPieces make_pieces(const PiecesWish& wish, const Progress& progress) {
   if (pieces.unmade.empty() || !none || !wish.plain.divided) return pieces;
   // Walls that are not divided may cross less by rounding.
   const MoldHalves plain = make_halves(wish.model, wish.plain.frame.z, wish.place, wish.settings, progress,
-                                       {.blanks = {}, .divides = false});
+                                       {.blanks = {}, .divides = false, .contact_area = 0.0});
   if (!plain.made() || (wish.plain.certified() && !plain.certified())) return pieces;
   const PiecesWish again{wish.model, plain, wish.plan, wish.split, wish.place, wish.settings};
   MoldPieces others = PieceMaker(again, false, progress).run();
