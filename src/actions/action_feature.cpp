@@ -120,10 +120,7 @@ class FeatureFinder {
     const auto& its = geometry.normals[facets.front()];
     const FacetIndex other = *std::ranges::min_element(
         facets, {}, [&](FacetIndex facet) { return glm::dot(geometry.normals[facet], its); });
-    const auto place = [&](FacetIndex facet) {
-      const TriangleMesh& mesh = context_.model.part.mesh;
-      return across((mesh.corner(facet, 0) + mesh.corner(facet, 1) + mesh.corner(facet, 2)) / 3.0);
-    };
+    const auto place = [&](FacetIndex facet) { return across(context_.model.part.mesh.middle(facet)); };
     const glm::dvec3 turned = across(its) - across(geometry.normals[other]);
     const double squared = glm::dot(turned, turned);
     if (squared < k_least_bend * k_least_bend) return std::nullopt;

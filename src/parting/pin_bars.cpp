@@ -1,12 +1,9 @@
 #include "parting/pin_bars.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,8 +14,10 @@
 #include "mesh/edge_collapse.hpp"
 #include "mesh/health.hpp"
 #include "mesh/union_find.hpp"
+#include "mesh/weld.hpp"
 #include "parting/halves/bodies.hpp"
 #include "parting/halves/depth_columns.hpp"
+#include "parting/halves/tidy_solid.hpp"
 #include "parting/mold_files.hpp"
 #include "parting/slide_blank.hpp"
 
@@ -270,31 +269,6 @@ TriangleMesh steel_of(const PlainMold& plain, const MoldHalves& halves) {
   return steel;
 }
 
-/// Steps of a pin in one piece: walls that two of them share are the same facets, seen from either side.
-TriangleMesh without_inner_walls(const TriangleMesh& mesh) {
-  TriangleMesh joined;
-  std::map<std::array<double, 3>, VertexIndex> numbers;
-  std::vector<VertexIndex> number_of;
-  for (const glm::dvec3& vertex : mesh.vertices) {
-    const auto [entry, is_new] =
-        numbers.try_emplace({vertex.x, vertex.y, vertex.z}, static_cast<VertexIndex>(joined.vertices.size()));
-    if (is_new) joined.vertices.push_back(vertex);
-    number_of.push_back(entry->second);
-  }
-  using Corners = std::array<VertexIndex, 3>;
-  const auto from_least = [](Corners corners) {
-    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
-    return corners;
-  };
-  std::set<Corners> all;
-  for (const auto& [a, b, c] : mesh.facets)
-    all.insert(from_least({number_of[a], number_of[b], number_of[c]}));
-  for (const auto& [a, b, c] : all) {
-    if (!all.contains(from_least({a, c, b}))) joined.facets.push_back({a, b, c});
-  }
-  return joined;
-}
-
 class PinPutter {
  public:
   PinPutter(const PlainMold& plain, std::span<const BarRoom> rooms, const Progress& progress)
@@ -315,7 +289,9 @@ class PinPutter {
       steel = std::move(pin->outside);
     }
     if (!left_.empty()) return "it leaves some of what it is to form";
-    pins = without_inner_walls(pins);
+    // Walls that two steps of a pin share are the same facets, seen from either side.
+    pins = weld_vertices(pins);
+    drop_fins(pins);
     // The pin is exact; the halves have walls set upright.
     const double kept = signed_volume(pins) * std::pow(unit_, 3.0) - taken_;
     if (std::abs(kept) >

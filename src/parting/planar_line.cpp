@@ -44,7 +44,7 @@ double middle_height(const PartModel& model, const glm::dvec3& direction, double
 }
 
 /// Of the line's outer loops, the longest first, then those of the part's creases, and its middle.
-std::vector<double> levels_of(const PartModel& model, const MoldLine& found) {
+std::vector<double> levels_of(const PartModel& model, const MoldLine& found, double middle) {
   LevelLengths lengths(found.assignment.direction, model.frame.diagonal);
   for (const PartingLoop& loop : found.line.loops) {
     if (loop.kind != LoopKind::outer) continue;
@@ -60,7 +60,6 @@ std::vector<double> levels_of(const PartModel& model, const MoldLine& found) {
     };
     if (tried.size() < k_most_levels && std::ranges::none_of(tried, is_same)) tried.push_back(height);
   }
-  const double middle = middle_height(model, found.assignment.direction, found.assignment.lateral);
   if (std::ranges::find(tried, middle) == tried.end()) tried.push_back(middle);
   return tried;
 }
@@ -134,7 +133,8 @@ MoldLine find_mold_line(const PartModel& model, const Query& query, const MoldSe
       better.push_back(std::move(tried));
     return climb;
   };
-  for (const double height : levels_of(model, found)) {
+  const double middle = middle_height(model, found.assignment.direction, found.assignment.lateral);
+  for (const double height : levels_of(model, found, middle)) {
     const double climb = try_walls(outer_walls(model, found, height, false));
     // Hairs are given away for a plane alone, where it is not far.
     if (climb <= k_planar_share * diagonal || climb > k_nearly_level * diagonal) continue;
@@ -153,7 +153,6 @@ MoldLine find_mold_line(const PartModel& model, const Query& query, const MoldSe
   const auto less_on_creases = [](const MoldLine& line) { return -on_creases(line.line); };
   keep_about_least(less_on_creases,
                    k_alike_creases * on_creases(std::ranges::min(better, {}, less_on_creases).line));
-  const double middle = middle_height(model, found.assignment.direction, found.assignment.lateral);
   return std::move(*std::ranges::min_element(
       better, {}, [&](const MoldLine& line) { return std::abs(line.assignment.height - middle); }));
 }

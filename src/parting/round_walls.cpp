@@ -140,6 +140,12 @@ class WallDivider {
     }
   }
 
+  using Cell = std::array<std::int64_t, 2>;
+  static Cell cell_of(const glm::dvec2& at, double size) {
+    const glm::dvec2 cell = glm::floor(at / size);
+    return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y)};
+  }
+
   /// Corners of walls that are the same as seen along the direction stand where the first does.
   void join_columns() {
     at_ = own_;
@@ -150,12 +156,10 @@ class WallDivider {
       for (const VertexIndex corner : mesh_.facets[facet]) in_wall[corner] = 1;
     }
     // Places that were met, in cells; many corners stand above each other.
-    std::map<std::array<std::int64_t, 2>, std::vector<VertexIndex>> met;
+    std::map<Cell, std::vector<VertexIndex>> met;
     for (VertexIndex v = 0; v < at_.size(); ++v) {
       if (in_wall[v] == 0) continue;
-      const glm::dvec2 cell = glm::floor(seen(v) / k_one_column);
-      const std::array<std::int64_t, 2> own = {static_cast<std::int64_t>(cell.x),
-                                               static_cast<std::int64_t>(cell.y)};
+      const Cell own = cell_of(seen(v), k_one_column);
       bool known = false;
       for (int beside = 0; beside < 9; ++beside) {
         const auto there = met.find({own[0] + beside % 3 - 1, own[1] + beside / 3 - 1});
@@ -196,11 +200,6 @@ class WallDivider {
     }
   }
 
-  using Cell = std::array<std::int64_t, 2>;
-  [[nodiscard]] Cell wide_cell(const glm::dvec2& at) const {
-    const glm::dvec2 cell = glm::floor(at / (k_wide_cell * reach_));
-    return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y)};
-  }
   [[nodiscard]] glm::dvec2 facing(FacetIndex facet) const {
     return glm::normalize(glm::dvec2(twice_area(facet)));
   }
@@ -224,16 +223,17 @@ class WallDivider {
   /// are on the curve of the other. Adds facets to `next`.
   void find_in_line(std::vector<FacetIndex>& next) {
     if (reach_ <= 0.0) return;
+    const double wide = k_wide_cell * reach_;
     const std::map<VertexIndex, glm::dvec2> normals = column_normals();
     std::map<Cell, std::vector<VertexIndex>> in_cell;
-    for (const auto& [column, normal] : normals) in_cell[wide_cell(seen(column))].push_back(column);
+    for (const auto& [column, normal] : normals) in_cell[cell_of(seen(column), wide)].push_back(column);
     for (FacetIndex facet = 0; facet < in_wall_.size(); ++facet) {
       if (in_wall_[facet] == Membership::none) continue;
       const std::array<VertexIndex, 3> ends = along(facet);
       const double bend = std::acos(
           std::clamp(glm::dot(normals.at(column_of_[ends[0]]), normals.at(column_of_[ends[1]])), -1.0, 1.0));
-      const auto low = wide_cell(glm::min(seen(ends[0]), seen(ends[1])) - reach_),
-                 high = wide_cell(glm::max(seen(ends[0]), seen(ends[1])) + reach_);
+      const auto low = cell_of(glm::min(seen(ends[0]), seen(ends[1])) - reach_, wide),
+                 high = cell_of(glm::max(seen(ends[0]), seen(ends[1])) + reach_, wide);
       std::vector<VertexIndex> found;
       for (std::int64_t x = low[0]; x <= high[0]; ++x) {
         for (std::int64_t y = low[1]; y <= high[1]; ++y) {

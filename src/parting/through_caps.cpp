@@ -22,7 +22,22 @@ constexpr double k_rim_reach = 2.0;  // lateral tolerances: walls of holes lean 
 }  // namespace
 
 ThroughCaps::ThroughCaps(const Assignment& sides, const SheetFrame& frame)
-    : sides_(sides), frame_(frame), reach_(k_rim_reach * sides.lateral / frame.diagonal) {
+    : reach_(k_rim_reach * sides.lateral / frame.diagonal) {
+  // Where halves and actions meet.
+  UnionFind joined(sides.mesh.vertices.size());
+  const auto is_rim = [&](const PieceEdge& edge) {
+    return edge.right != k_no_piece &&
+           (sides.sides[edge.left] == MoldSide::action) != (sides.sides[edge.right] == MoldSide::action);
+  };
+  for (const PieceEdge& edge : sides.edges.edges) {
+    if (is_rim(edge)) joined.join(edge.from, edge.to);
+  }
+  std::map<VertexIndex, Chain> chains;
+  for (const PieceEdge& edge : sides.edges.edges) {
+    if (is_rim(edge))
+      chains[joined.find(edge.from)].push_back(
+          {frame.in_mold(sides.mesh.vertices[edge.from]), frame.in_mold(sides.mesh.vertices[edge.to])});
+  }
   for (const SeenPatch& patch : sides.seen_through) {
     Cap cap;
     cap.sheet = sides.mesh.pieces[patch.pieces.front()].region == Region::core ? Sheet::upper : Sheet::lower;
@@ -33,28 +48,15 @@ ThroughCaps::ThroughCaps(const Assignment& sides, const SheetFrame& frame)
         cap.bounds.add(corners[k]);
       }
     }
-    cap.rim = rim_over(cap);
+    cap.rim = rim_over(cap, chains);
     cap.way = glm::normalize(glm::dvec2(frame.frame.to_mold(patch.way)));
     if (!cap.rim.empty()) caps_.push_back(std::move(cap));
   }
 }
 
-/// Where halves and actions meet, in one chain: that over the outline of the patch, the nearest of them.
-std::vector<ThroughCaps::Segment> ThroughCaps::rim_over(const Cap& cap) const {
-  UnionFind joined(static_cast<std::uint32_t>(sides_.mesh.vertices.size()));
-  std::map<VertexIndex, std::vector<Segment>> chains;
-  std::vector<std::pair<VertexIndex, Segment>> all;
-  for (const PieceEdge& edge : sides_.edges.edges) {
-    if (edge.right == k_no_piece) continue;
-    if ((sides_.sides[edge.left] == MoldSide::action) == (sides_.sides[edge.right] == MoldSide::action))
-      continue;
-    joined.join(edge.from, edge.to);
-    all.push_back(
-        {edge.from,
-         {frame_.in_mold(sides_.mesh.vertices[edge.from]), frame_.in_mold(sides_.mesh.vertices[edge.to])}});
-  }
-  for (const auto& [vertex, segment] : all) chains[joined.find(vertex)].push_back(segment);
-  const std::vector<Segment>* nearest = nullptr;
+/// That over the outline of the patch, the nearest of them.
+ThroughCaps::Chain ThroughCaps::rim_over(const Cap& cap, const std::map<VertexIndex, Chain>& chains) const {
+  const Chain* nearest = nullptr;
   double least = INFINITY;
   for (const auto& [vertex, chain] : chains) {
     Bounds box;
@@ -67,10 +69,10 @@ std::vector<ThroughCaps::Segment> ThroughCaps::rim_over(const Cap& cap) const {
     least = above;
     nearest = &chain;
   }
-  return nearest != nullptr ? *nearest : std::vector<Segment>{};
+  return nearest != nullptr ? *nearest : Chain{};
 }
 
-double ThroughCaps::height(const Cap& cap, const glm::dvec2& at, double reach) {
+double ThroughCaps::height(const Cap& cap, const glm::dvec2& at) const {
   double nearest = INFINITY, there = 0.0;
   std::array<double, 2> ways = {-INFINITY, INFINITY}, heights{};
   for (const auto& [from, to] : cap.rim) {
@@ -96,7 +98,7 @@ double ThroughCaps::height(const Cap& cap, const glm::dvec2& at, double reach) {
     ways[side] = way;
     heights[side] = met.z;
   }
-  if (nearest <= reach || !std::isfinite(ways[0]) || !std::isfinite(ways[1])) return there;
+  if (nearest <= reach_ || !std::isfinite(ways[0]) || !std::isfinite(ways[1])) return there;
   return glm::mix(heights[0], heights[1], -ways[0] / (ways[1] - ways[0]));
 }
 
@@ -116,7 +118,7 @@ std::optional<std::array<double, 3>> ThroughCaps::heights(Sheet sheet,
       caps_, [&](const Cap& one) { return one.sheet == sheet && is_under(one, middle); });
   if (cap == caps_.end()) return std::nullopt;
   std::array<double, 3> heights{};
-  for (std::size_t k = 0; k < 3; ++k) heights[k] = height(*cap, glm::dvec2(corners[k]), reach_);
+  for (std::size_t k = 0; k < 3; ++k) heights[k] = height(*cap, glm::dvec2(corners[k]));
   return heights;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -31,19 +32,18 @@ class ThroughCaps {
   struct Segment {
     glm::dvec3 from{0.0}, to{0.0};
   };
+  using Chain = std::vector<Segment>;
   struct Cap {
     Sheet sheet = Sheet::upper;
     Bounds bounds;  // of the patch
     std::vector<std::array<glm::dvec3, 3>> patch;
-    std::vector<Segment> rim;
+    Chain rim;
     glm::dvec2 way{1, 0};  // unit
   };
-  [[nodiscard]] std::vector<Segment> rim_over(const Cap& cap) const;
+  [[nodiscard]] Chain rim_over(const Cap& cap, const std::map<VertexIndex, Chain>& chains) const;
   [[nodiscard]] bool is_under(const Cap& cap, const glm::dvec3& at) const;
-  [[nodiscard]] static double height(const Cap& cap, const glm::dvec2& at, double reach);
+  [[nodiscard]] double height(const Cap& cap, const glm::dvec2& at) const;
 
-  const Assignment& sides_;
-  SheetFrame frame_;
   double reach_ = 0.0;  // in diagonals
   std::vector<Cap> caps_;
 };

@@ -25,38 +25,6 @@ std::uint64_t edge_key(VertexIndex a, VertexIndex b) {
   return a < b ? std::uint64_t{a} << 32U | b : std::uint64_t{b} << 32U | a;
 }
 
-/// Pairs of facets that cancel each other.
-void drop_fins(TriangleMesh& mesh) {
-  struct Place {
-    std::array<VertexIndex, 3> corners;  // sorted
-    bool even;
-    FacetIndex facet;
-  };
-  std::vector<Place> places;
-  places.reserve(mesh.facets.size());
-  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    std::array<VertexIndex, 3> c = mesh.facets[facet];
-    std::rotate(c.begin(), std::ranges::min_element(c), c.end());
-    const bool even = c[1] < c[2];
-    if (!even) std::swap(c[1], c[2]);
-    places.push_back({c, even, facet});
-  }
-  std::ranges::stable_sort(places, {}, &Place::corners);
-  std::vector<std::uint8_t> dropped(mesh.facets.size(), 0);
-  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
-    std::vector<FacetIndex> even, odd;
-    for (; last < places.size() && places[last].corners == places[first].corners; ++last)
-      (places[last].even ? even : odd).push_back(places[last].facet);
-    for (std::size_t k = 0; k < std::min(even.size(), odd.size()); ++k)
-      dropped[even[k]] = dropped[odd[k]] = 1;
-  }
-  std::size_t kept = 0;
-  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
-    if (dropped[facet] == 0) mesh.facets[kept++] = mesh.facets[facet];
-  }
-  mesh.facets.resize(kept);
-}
-
 /// A mesh whose edges are flipped.
 class Flipper {
  public:
@@ -255,6 +223,37 @@ void divide_doubles(TriangleMesh& mesh, std::span<const TouchingEdge> edges) {
 }
 
 }  // namespace
+
+void drop_fins(TriangleMesh& mesh) {
+  struct Place {
+    std::array<VertexIndex, 3> corners;  // sorted
+    bool even;
+    FacetIndex facet;
+  };
+  std::vector<Place> places;
+  places.reserve(mesh.facets.size());
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    std::array<VertexIndex, 3> c = mesh.facets[facet];
+    std::rotate(c.begin(), std::ranges::min_element(c), c.end());
+    const bool even = c[1] < c[2];
+    if (!even) std::swap(c[1], c[2]);
+    places.push_back({c, even, facet});
+  }
+  std::ranges::stable_sort(places, {}, &Place::corners);
+  std::vector<std::uint8_t> dropped(mesh.facets.size(), 0);
+  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
+    std::vector<FacetIndex> even, odd;
+    for (; last < places.size() && places[last].corners == places[first].corners; ++last)
+      (places[last].even ? even : odd).push_back(places[last].facet);
+    for (std::size_t k = 0; k < std::min(even.size(), odd.size()); ++k)
+      dropped[even[k]] = dropped[odd[k]] = 1;
+  }
+  std::size_t kept = 0;
+  for (FacetIndex facet = 0; facet < mesh.facets.size(); ++facet) {
+    if (dropped[facet] == 0) mesh.facets[kept++] = mesh.facets[facet];
+  }
+  mesh.facets.resize(kept);
+}
 
 void tidy_solid(TriangleMesh& mesh, const TidyQuery& query) {
   drop_fins(mesh);

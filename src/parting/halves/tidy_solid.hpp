@@ -29,6 +29,9 @@ struct TidyQuery {
 /// flipped. The solid stays closed; the result depends on nothing but the mesh.
 void tidy_solid(TriangleMesh& mesh, const TidyQuery& query);
 
+/// Pairs of facets with the same corners that face away from each other go.
+void drop_fins(TriangleMesh& mesh);
+
 /// Splits vertices so that every edge has two facets and the facets of every vertex hang together: where more
 /// than two meet in an edge, those with material between them stay together, and all such pairs but one get a
 /// vertex on the edge, so that no edge has more than two facets for readers that join equal vertices either.
