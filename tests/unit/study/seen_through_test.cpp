@@ -2,6 +2,8 @@
 // pin ends at the hole's rim.
 #include "parting/seen_through.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "parting/mold_pieces.hpp"
@@ -57,6 +59,14 @@ TEST(SeenThrough, IsTheSlidesSurface) {
 
 TEST(SeenThrough, EndsTheHalfsPinAtTheHolesRim) {
   Study study = study_with_oil_hole(true);
+  // Without slides, too: what they would form is an insert that fills the bore.
+  const MoldHalves& plain = study.find<MoldHalves>(Progress());
+  ASSERT_EQ(plain.inserts.size(), 1U);
+  EXPECT_NEAR(plain.inserts[0].volume, 10.0 * 10.0 * 18.0, 1e-6);
+  for (const glm::dvec3& vertex : plain.written.bodies[0].mesh.vertices) {
+    const bool in_hole = vertex.x > 12.0 && vertex.x < 18.0 && vertex.y > 7.0 && vertex.y < 13.0;
+    EXPECT_GT(vertex.z, in_hole ? 14.999 : -INFINITY);
+  }
   const MoldPieces& pieces = study.find<MoldPieces>(Progress());
   const MoldHalves& halves = pieces.halves;
   ASSERT_EQ(halves.count(PieceKind::slide), 1U) << (pieces.unmade.empty() ? "" : pieces.unmade[0].why);
