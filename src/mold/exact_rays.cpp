@@ -9,6 +9,7 @@
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -90,6 +91,14 @@ void keep_facing_hit(const RTCFilterFunctionNArguments* arguments) {
   context->distance = reinterpret_cast<const RTCRay*>(arguments->ray)->tfar;
 }
 
+/// Builds the scene's tree. Embree keeps a group of tasks with the scene, which TBB notes as begun by the
+/// work that goes on now, and looks for there whenever any work is cancelled: that must last as long.
+void commit(RTCScene scene) {
+  static auto* const k_lasting = new tbb::task_group_context(tbb::task_group_context::isolated);
+  tbb::parallel_for(
+      0, 1, [scene](int) { rtcCommitScene(scene); }, *k_lasting);
+}
+
 }  // namespace
 
 struct ExactRays::Scene {
@@ -132,7 +141,7 @@ ExactRays::ExactRays(const TriangleMesh& mesh, std::span<const glm::vec3> positi
     rtcAttachGeometry(scene_->scene, geometry);
     rtcReleaseGeometry(geometry);
   }
-  rtcCommitScene(scene_->scene);
+  commit(scene_->scene);
   const RTCError error = rtcGetDeviceError(scene_->device);
   if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   if (error != RTC_ERROR_NONE)
