@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "base/supervisor.hpp"
 #include "classify/frame_benchmark.hpp"
 #include "classify/headless.hpp"
 #include "classify/json.hpp"
@@ -19,6 +20,7 @@
 #include "io/atomic_file.hpp"
 #include "mesh/length_unit.hpp"
 #include "replay/script.hpp"
+#include "replay/window_record.hpp"
 #include "sweep/sweep.hpp"
 
 namespace moldlight::cli {
@@ -56,9 +58,7 @@ int print_frame_times(const ViewFlags& flags, Console& console, const Progress& 
   return 0;
 }
 
-int run(const ViewFlags& flags, Console& console, const Progress& progress) {
-  if (flags.benchmark) return print_frame_times(flags, console, progress);
-  if (flags.screenshot.empty() && !flags.script.empty()) throw UsageError("--script needs --screenshot");
+std::optional<gui::PartNotes> given_notes(const ViewFlags& flags, const Progress& progress) {
   std::optional<gui::PartNotes> notes;
   if (flags.settings_given) notes = flags.notes;
   if (flags.best_direction) {
@@ -66,26 +66,50 @@ int run(const ViewFlags& flags, Console& console, const Progress& progress) {
     const auto model = load_part(flags.part, flags.reading, progress);
     notes->settings.direction = best_direction(model, flags.notes.settings.method, progress).direction;
   }
+  return notes;
+}
+
+int open_window(const ViewFlags& flags, const Progress& progress) {
+  // Before the display, which may be missing, too.
+  for (const std::string& file : {flags.part, flags.compare})
+    if (!file.empty() && ::access(file.c_str(), R_OK) != 0)
+      throw FileError(file, "", fmt::format("cannot be opened: {}", std::strerror(errno)));
+  WorkRecord record;
+  const Supervised supervised = supervise(record);
+  if (supervised.exit_code) return *supervised.exit_code;
+  gui::Resumed begun{.opened = {.part = flags.part, .compare = flags.compare}};
+  if (const auto& crash = supervised.forerunner)
+    begun = gui::resume(gui::parse_record(crash->record), crash->cause);
+  record.write(gui::record_text(begun.opened));
+  gui::run_window({.part = begun.opened.part,
+                   .compare = begun.opened.compare,
+                   .reading = flags.reading,
+                   .notes = supervised.forerunner ? std::nullopt : given_notes(flags, progress),
+                   .window = flags.window_given,
+                   .remark = begun.said,
+                   .after_frame =
+                       [&, noted = gui::WindowRecord()](const gui::AppState& state) mutable {
+                         gui::WindowRecord now = gui::record_of(state);
+                         now.former_work = begun.opened.former_work;
+                         now.former_part = begun.opened.former_part;
+                         if (now != noted) record.write(gui::record_text(noted = std::move(now)));
+                       }},
+                  progress);
+  return 0;
+}
+
+int run(const ViewFlags& flags, Console& console, const Progress& progress) {
+  if (flags.benchmark) return print_frame_times(flags, console, progress);
+  if (flags.screenshot.empty() && !flags.script.empty()) throw UsageError("--script needs --screenshot");
+  if (!flags.compare.empty() && flags.part.empty()) throw UsageError("--compare needs a PART");
+  if (flags.screenshot.empty() && flags.saved.empty()) return open_window(flags, progress);
+  const auto notes = given_notes(flags, progress);
   if (!flags.saved.empty()) {
     check_outputs({.inputs = {{"PART", flags.part}, {"--settings", flags.settings}},
                    .files = {{"--save-settings", flags.saved}}});
     gui::PartNotes saved = notes.value_or(gui::PartNotes{});
     if (!flags.reading.unit.empty()) saved.unit = parse_length_unit(flags.reading.unit).name;
     write_file(flags.saved, gui::part_notes_json(saved, flags.part));
-    return 0;
-  }
-  if (!flags.compare.empty() && flags.part.empty()) throw UsageError("--compare needs a PART");
-  if (flags.screenshot.empty()) {
-    // Before the display, which may be missing, too.
-    for (const std::string& file : {flags.part, flags.compare})
-      if (!file.empty() && ::access(file.c_str(), R_OK) != 0)
-        throw FileError(file, "", fmt::format("cannot be opened: {}", std::strerror(errno)));
-    gui::run_window({.part = flags.part,
-                     .compare = flags.compare,
-                     .reading = flags.reading,
-                     .notes = notes,
-                     .window = flags.window_given},
-                    progress);
     return 0;
   }
   check_outputs({.inputs = {{"PART", flags.part},

@@ -127,7 +127,7 @@ void App::frame(const FrameInput& input) {
   }
   if (!presentation_) {
     viewport_.draw_arrow_names(ui, state_, scene_frame);
-    draw_hints({ui, state_, edits, layout_});
+    if (state_.toasts.empty()) draw_hints({ui, state_, edits, layout_});
   }
   apply(edits);
   // Maps that are looked at are compared with the split mesh even while one of their sliders moves.
@@ -200,6 +200,7 @@ void App::apply(const Edits& edits) {
     workspace_.give_up_drag();
   } else if (!held && !turn_.flying()) {
     history_.settle(state_.settings);
+    save_notes();  // not lost with the window, however that ends
   }
   const bool turning = edits.dragging || turn_.flying();
   turn_direction(held);
@@ -281,13 +282,18 @@ void App::save() {
     options_.user.hints_done = state_.hints_done;
     options_.user.layout = layout_.text();
     save_user_state(options_.user);
-    PartNotes notes{state_.settings, state_.bookmarks, noted_unit_};
-    if (is_at(state_, Step::draft)) notes.settings.look.colour_mode = ColourMode::regions;  // the step's own
-    if (!state_.model || notes == saved_notes_) return;
-    const std::string path = state_.notes_beside ? notes_path_beside(state_.path) : notes_path(state_.path);
-    if (!path.empty()) write_text(path, part_notes_json(notes, state_.path));
-    saved_notes_ = notes;
   });
+  save_notes();
+}
+
+void App::save_notes() {
+  if (!options_.persistent || !state_.model) return;
+  PartNotes notes{state_.settings, state_.bookmarks, noted_unit_};
+  if (is_at(state_, Step::draft)) notes.settings.look.colour_mode = ColourMode::regions;  // the step's own
+  if (notes == saved_notes_) return;
+  saved_notes_ = std::move(notes);  // also where it fails, which is said once
+  const std::string path = state_.notes_beside ? notes_path_beside(state_.path) : notes_path(state_.path);
+  if (!path.empty()) attempt([&] { write_text(path, part_notes_json(saved_notes_, state_.path)); });
 }
 
 }  // namespace moldlight::gui

@@ -122,8 +122,9 @@ class App {
   bool attempt(const std::function<void()>& act);
   /// Asks all that runs in the background to end, without waiting for it.
   void end_jobs();
-  /// Saves what is to be remembered.
+  /// Saves what is to be remembered; the part's notes alone.
   void save();
+  void save_notes();
 
  private:
   friend struct Commands;

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/owned.hpp"
 #include "base/shown_text.hpp"
 #include "classify/headless.hpp"
 #include "classify/option_json.hpp"
@@ -163,27 +164,17 @@ void WindowContext::listen() {
   });
 }
 
-/// GLFW's side of ImGui: size, clipboard, cursors. Input comes through the queue.
-class GlfwPlatform {
- public:
-  explicit GlfwPlatform(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, false); }
-  ~GlfwPlatform() { ImGui_ImplGlfw_Shutdown(); }
-  GlfwPlatform(const GlfwPlatform&) = delete;
-  GlfwPlatform& operator=(const GlfwPlatform&) = delete;
-};
-
-/// Wakes the window when an interrupt has cancelled the progress: a signal alone does not end its wait for
-/// events.
+/// Wakes the window when the progress is cancelled: a signal alone does not end its wait for events.
 class InterruptWatch {
  public:
   explicit InterruptWatch(const Progress& progress)
       : thread_([&progress](const std::stop_token& stop) {
-          while (!stop.stop_requested() && !progress.cancelled()) std::this_thread::sleep_for(k_period);
+          while (!stop.stop_requested() && !progress.cancelled())
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
           glfwPostEmptyEvent();
         }) {}
 
  private:
-  static constexpr std::chrono::milliseconds k_period{100};
   std::jthread thread_;
 };
 
@@ -199,12 +190,10 @@ void wait_for_events(double next_frame_s) {
   }
 }
 
-std::unique_ptr<WindowContext> create_window() {
-  try {
-    return std::make_unique<WindowContext>();
-  } catch (const Error& error) {
-    throw Error(fmt::format("no window with OpenGL 3.3 ({}); {}", error.what(), k_headless_advice));
-  }
+std::unique_ptr<WindowContext> create_window() try {
+  return std::make_unique<WindowContext>();
+} catch (const Error& error) {
+  throw Error(fmt::format("no window with OpenGL 3.3 ({}); {}", error.what(), k_headless_advice));
 }
 
 AppOptions app_options(const WindowOptions& options) {
@@ -227,7 +216,7 @@ void save_picture(App& app, WindowContext& context, const std::string& path) {
     app.picture_saved(path);
 }
 
-void run_frames(App& app, WindowContext& context, const Progress& progress) {
+void run_frames(App& app, WindowContext& context, const WindowOptions& options, const Progress& progress) {
   std::string title;
   while (true) {
     WindowContext::Events& events = context.events();
@@ -249,6 +238,7 @@ void run_frames(App& app, WindowContext& context, const Progress& progress) {
     input.played = events.input.play(ImGui::GetIO(), input.now_s);
     app.frame(input);
     if (app.quitting()) return;
+    if (options.after_frame) options.after_frame(app.state());
     app.draw({.framebuffer = 0, .size = size});
     if (const auto picture = app.take_picture_request()) save_picture(app, context, *picture);
     {
@@ -267,7 +257,7 @@ void run_frames(App& app, WindowContext& context, const Progress& progress) {
 void run_window(const WindowOptions& options, const Progress& progress) {
   auto glfw = std::make_unique<const GlfwLibrary>();
   auto context = create_window();
-  std::string remark;
+  std::string remark = options.remark;
   if (const std::string fault = driver_fault(*context); !fault.empty()) {
     const std::string driver = context->renderer();
     context.reset();
@@ -281,7 +271,9 @@ void run_window(const WindowOptions& options, const Progress& progress) {
     remark = fmt::format("The driver {} {}; {} draws in its place.", driver, fault, context->renderer());
   }
   App app(*context, app_options(options));
-  const GlfwPlatform platform(context->window());
+  // GLFW's side of ImGui: size, clipboard, cursors. Input comes through the queue.
+  ImGui_ImplGlfw_InitForOpenGL(context->window(), false);
+  const Owned<GLFWwindow, [](GLFWwindow*) { ImGui_ImplGlfw_Shutdown(); }> platform(context->window());
   app.show_hints(true);
   if (!remark.empty()) app.say(remark, true);
   if (options.notes) app.set_notes(*options.notes);
@@ -289,7 +281,7 @@ void run_window(const WindowOptions& options, const Progress& progress) {
   if (!options.compare.empty()) app.compare_with(options.compare);
   glfwShowWindow(context->window());
   const InterruptWatch watch(progress);
-  run_frames(app, *context, progress);
+  run_frames(app, *context, options, progress);
   // What goes on behind may take a while to end: nobody is to look at a window that no longer answers.
   glfwHideWindow(context->window());
   glfwPollEvents();

@@ -1,6 +1,7 @@
 // The window on the desktop (GLFW): waits for events, draws when something changed.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -8,7 +9,7 @@
 
 #include "base/progress.hpp"
 #include "classify/json.hpp"
-#include "gui/store/part_notes.hpp"
+#include "gui/app_state.hpp"
 #include "io/read_options.hpp"
 
 namespace moldlight::gui {
@@ -20,6 +21,8 @@ struct WindowOptions {
   std::optional<PartNotes> notes;  // settings given on the command line
   /// Keys of window_options() given there, with their values: they hold this time, and are not remembered.
   Json window = Json::object();
+  std::string remark = {};  // to the user, at the beginning
+  std::function<void(const AppState&)> after_frame = {};
 };
 
 /// Runs until the window is closed, or `progress` cancelled: then it saves what is to be remembered and

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
@@ -72,6 +73,12 @@ bool read_some(int descriptor, std::string& text) {
 
 }  // namespace
 
+std::vector<pid_t> children_of(pid_t program) {
+  const std::string id = std::to_string(program);
+  std::ifstream list("/proc/" + id + "/task/" + id + "/children");
+  return {std::istream_iterator<pid_t>(list), {}};
+}
+
 double processor_seconds(pid_t program) {
   std::ifstream stat("/proc/" + std::to_string(program) + "/stat");
   std::string text;
@@ -84,7 +91,9 @@ double processor_seconds(pid_t program) {
   double ticks = 0.0;
   for (int field = 3; fields >> word && field <= 15; ++field)
     if (field >= 14) ticks += std::stod(word);
-  return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
+  double seconds = ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
+  for (const pid_t child : children_of(program)) seconds += processor_seconds(child);
+  return seconds;
 }
 
 std::size_t ProcessResult::error_lines() const {

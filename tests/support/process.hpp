@@ -31,7 +31,10 @@ struct ProcessResult {
   [[nodiscard]] std::size_t error_lines() const;
 };
 
-/// Processor time of a running program so far, of all its threads, seconds; 0 for one that has ended.
+/// Programs that it has started and that have not ended.
+[[nodiscard]] std::vector<pid_t> children_of(pid_t program);
+/// Processor time of a running program so far, of all its threads and of what it has started and still runs,
+/// seconds; 0 for one that has ended.
 [[nodiscard]] double processor_seconds(pid_t program);
 
 /// A running program; finish() or the destructor ends it.
