@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -29,6 +28,14 @@ struct Patch {
   std::vector<PieceIndex> around;        // of the action, across that border
 };
 
+/// A patch of the action's, as those that it lies around need it.
+struct Room {
+  std::vector<FacetIndex> facets;  // rising
+  /// Across the direction, unit: in or against which the fewest of its walls face, or the most. None where it
+  /// has no walls.
+  std::optional<std::array<glm::dvec3, 4>> ways;
+};
+
 class PatchFinder {
  public:
   explicit PatchFinder(const SeenThrough& wish) : wish_(wish), joined_(wish.mesh.pieces.size()) {}
@@ -43,8 +50,11 @@ class PatchFinder {
           *std::ranges::max_element(patch.on_wall, {}, [](const auto& entry) { return entry.second; });
       const Patch& own = patches_.at(room);
       if (length < k_around * patch.border || patch.area > own.area) continue;
-      if (!is_under(patch, room)) continue;
-      if (const auto way = way_out_of(patch, own)) found.push_back({patch.pieces, *way});
+      // Many patches share a room where walls are all holes.
+      const auto at = rooms_.find(room);
+      const Room& known = at != rooms_.end() ? at->second : rooms_.emplace(room, room_of(own)).first->second;
+      if (!is_under(patch, known)) continue;
+      if (const auto way = way_out_of(patch, known)) found.push_back({patch.pieces, *way});
     }
     return found;
   }
@@ -89,28 +99,27 @@ class PatchFinder {
   }
 
   /// Whether most of what is around a patch lies under a roof that the same action forms.
-  [[nodiscard]] bool is_under(const Patch& patch, PieceIndex room) const {
-    std::set<FacetIndex> facets;
-    for (const PieceIndex piece : patches_.at(room).pieces) facets.insert(wish_.mesh.pieces[piece].facet);
+  [[nodiscard]] bool is_under(const Patch& patch, const Room& room) const {
     std::size_t looked_at = 0, under = 0;
     for (const PieceIndex piece : patch.around) {
       const double up = glm::dot(normal(piece), wish_.direction) < 0.0 ? -1.0 : 1.0;
       const auto hit = met(piece, k_off_surface, up * wish_.direction);
       ++looked_at;
-      if (hit && facets.contains(hit->facet)) ++under;
+      if (hit && std::ranges::binary_search(room.facets, hit->facet)) ++under;
     }
     return 2 * under > looked_at;
   }
 
-  /// A way across the direction along which the patch and what is around it are free: in or against which the
-  /// fewest of the room's walls face, or the most.
-  [[nodiscard]] std::optional<glm::dvec3> way_out_of(const Patch& patch, const Patch& room) const {
+  [[nodiscard]] Room room_of(const Patch& patch) const {
+    Room room;
+    for (const PieceIndex piece : patch.pieces) room.facets.push_back(wish_.mesh.pieces[piece].facet);
+    std::ranges::sort(room.facets);
     const glm::dvec3& d = wish_.direction;
     const glm::dvec3 across = glm::normalize(
         glm::cross(d, std::abs(d.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
     const glm::dvec3 aside = glm::cross(d, across);
     double xx = 0.0, xy = 0.0, yy = 0.0;  // of the walls' normals, by their areas
-    for (const PieceIndex piece : room.pieces) {
+    for (const PieceIndex piece : patch.pieces) {
       const double area = twice_area(piece);
       const double x = glm::dot(normal(piece), across), y = glm::dot(normal(piece), aside);
       xx += area * x * x;
@@ -120,15 +129,21 @@ class PatchFinder {
     const double turn = 0.5 * std::atan2(2.0 * xy, xx - yy);  // of the way most of them face
     const glm::dvec3 mean = std::cos(turn) * across + std::sin(turn) * aside;
     glm::dvec3 walls(0.0);  // those that face nearly there
-    for (const PieceIndex piece : room.pieces) {
+    for (const PieceIndex piece : patch.pieces) {
       const double facing = glm::dot(normal(piece), mean);
       if (std::abs(facing) > k_nearly_there)
         walls += (facing < 0.0 ? -1.0 : 1.0) * twice_area(piece) * normal(piece);
     }
     const glm::dvec3 least = glm::cross(d, walls);
-    if (least == glm::dvec3(0.0)) return std::nullopt;
+    if (least == glm::dvec3(0.0)) return room;
     const glm::dvec3 way = glm::normalize(least), beside = glm::cross(d, way);
-    const std::array<glm::dvec3, 4> ways = {way, -way, beside, -beside};
+    room.ways = {way, -way, beside, -beside};
+    return room;
+  }
+
+  /// The way of the room's along which the patch and what is around it are free.
+  [[nodiscard]] std::optional<glm::dvec3> way_out_of(const Patch& patch, const Room& room) const {
+    if (!room.ways) return std::nullopt;
     const auto is_free = [&](const std::vector<PieceIndex>& pieces, const glm::dvec3& along) {
       const std::size_t step = 1 + pieces.size() / k_most_places;
       for (std::size_t k = 0; k < pieces.size(); k += step) {
@@ -136,15 +151,16 @@ class PatchFinder {
       }
       return true;
     };
-    const auto out = std::ranges::find_if(ways, [&](const glm::dvec3& along) {
+    const auto out = std::ranges::find_if(*room.ways, [&](const glm::dvec3& along) {
       return is_free(patch.pieces, along) && is_free(patch.around, along);
     });
-    return out != ways.end() ? std::optional(*out) : std::nullopt;
+    return out != room.ways->end() ? std::optional(*out) : std::nullopt;
   }
 
   const SeenThrough& wish_;
   UnionFind joined_;
   std::map<PieceIndex, Patch> patches_;  // by the number that joined_ gives
+  std::map<PieceIndex, Room> rooms_;     // by the same, of those that were asked for
 };
 
 }  // namespace
