@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/ext/vector_int3_sized.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <tbb/parallel_for.h>
@@ -28,19 +29,13 @@ namespace {
 
 using PieceIndex = std::uint32_t;
 
-/// A cube of the grid in which corners are looked for.
-struct GridCell {
-  std::int64_t x = 0, y = 0, z = 0;
-  bool operator==(const GridCell&) const = default;
-};
-struct GridCellHash {
-  std::size_t operator()(const GridCell& cell) const {
-    std::uint64_t hash = 0;
-    for (const std::int64_t value : {cell.x, cell.y, cell.z})
-      hash = std::rotl((hash ^ static_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U, 31);
-    return hash;
-  }
-};
+/// Of a cube of the grid in which corners are looked for.
+std::size_t cell_hash(const glm::i64vec3& cell) {
+  std::uint64_t hash = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    hash = std::rotl((hash ^ static_cast<std::uint64_t>(cell[axis])) * 0x9E3779B97F4A7C15U, 31);
+  return hash;
+}
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
 
@@ -132,40 +127,55 @@ void join_near(const PartModel& model, const SplitMesh& split, std::span<const P
   if (reach <= 0.0) return;
   constexpr double k_same_place = 0.1;  // of the reach
   constexpr double k_same_facing = 0.9;
+  const std::vector<std::uint32_t> near = near_others(split, pieces, reach, joined, progress);
+  // Corners of a bucket in a chain: cells that share one are told apart by the distance, which is asked for
+  // in any case. A list for each cell takes ten times the memory where pieces are as small as the reach.
   struct Corner {
-    glm::dvec3 at, facing;
-    std::uint32_t place;  // in `pieces`
+    std::uint32_t place, k;  // in `pieces`, of the piece
+    std::uint32_t next;      // k_none: the last one
   };
-  std::unordered_map<GridCell, std::vector<Corner>, GridCellHash> grid;
+  constexpr std::uint32_t k_none = ~0U;
+  std::vector<Corner> corners;
+  std::vector<std::uint32_t> first(std::bit_ceil(std::max<std::size_t>(near.size(), 1)), k_none);
   const auto cell_of = [&](const glm::dvec3& at) {
-    const glm::dvec3 cell = glm::floor((at - model.frame.center) / reach);
-    return GridCell{static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y),
-                    static_cast<std::int64_t>(cell.z)};
+    return glm::i64vec3(glm::floor((at - model.frame.center) / reach));
   };
-  for (const std::uint32_t place : near_others(split, pieces, reach, joined, progress)) {
+  const auto bucket_of = [&](const glm::i64vec3& cell) -> std::uint32_t& {
+    return first[cell_hash(cell) & (first.size() - 1)];
+  };
+  const auto visit = [&](std::uint32_t bucket, const auto& act) {
+    for (std::uint32_t other = bucket; other != k_none; other = corners[other].next) {
+      const Corner& corner = corners[other];
+      if (act(split.corner(pieces[corner.place], corner.k),
+              model.geometry.normals[split.pieces[pieces[corner.place]].facet], corner.place))
+        return true;
+    }
+    return false;
+  };
+  for (const std::uint32_t place : near) {
     if (progress.cancelled()) throw Cancelled();
     const glm::dvec3& normal = model.geometry.normals[split.pieces[pieces[place]].facet];
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
       const glm::dvec3 at = split.corner(pieces[place], k);
-      const GridCell cell = cell_of(at);
-      std::vector<Corner>& here = grid[cell];
+      const glm::i64vec3 cell = cell_of(at);
       // One of an undercut in a place, facing one way, is enough.
-      const bool known = std::ranges::any_of(here, [&](const Corner& other) {
-        return glm::distance(other.at, at) <= k_same_place * reach &&
-               glm::dot(other.facing, normal) > k_same_facing &&
-               joined.find(other.place) == joined.find(place);
-      });
+      const bool known =
+          visit(bucket_of(cell), [&](const glm::dvec3& there, const glm::dvec3& facing, std::uint32_t other) {
+            return glm::distance(there, at) <= k_same_place * reach && cell_of(there) == cell &&
+                   glm::dot(facing, normal) > k_same_facing && joined.find(other) == joined.find(place);
+          });
       if (known) continue;
       for (int around = 0; around < 27; ++around) {
-        const auto found =
-            grid.find({cell.x + around % 3 - 1, cell.y + around / 3 % 3 - 1, cell.z + around / 9 - 1});
-        if (found == grid.end()) continue;
-        for (const Corner& other : found->second) {
-          if (glm::distance(other.at, at) <= reach && glm::dot(other.facing, normal) > 0.0)
-            joined.join(place, other.place);
-        }
+        const glm::i64vec3 beside(around % 3 - 1, around / 3 % 3 - 1, around / 9 - 1);
+        visit(bucket_of(cell + beside),
+              [&](const glm::dvec3& there, const glm::dvec3& facing, std::uint32_t other) {
+                if (glm::distance(there, at) <= reach && glm::dot(facing, normal) > 0.0)
+                  joined.join(place, other);
+                return false;
+              });
       }
-      here.push_back({at, normal, place});
+      std::uint32_t& bucket = bucket_of(cell);
+      corners.push_back({place, k, std::exchange(bucket, static_cast<std::uint32_t>(corners.size()))});
     }
   }
 }

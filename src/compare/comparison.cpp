@@ -141,7 +141,7 @@ void compare_molds(const OverlaySide& side_a, const OverlaySide& side_b, const C
   }
   const Assignment of_a = find_mold_line(*a.model, {query.a, a.result.settings}, {}, progress).assignment,
                    of_b = find_mold_line(*b.model, {query.b, b.result.settings}, {}, progress).assignment;
-  if (of_a.sampled || of_b.sampled) {
+  if (of_a.lineless || of_b.lineless) {
     comparison.remarks.emplace_back(
         "Whether A's mold survives is not known, since too many facets of a part cross others");
     return;

@@ -299,11 +299,20 @@ void append(std::vector<T>& all, std::vector<T>& some) {
   std::ranges::move(some, std::back_inserter(all));
 }
 
+/// Throws Error where its pieces are too many to look at them one by one.
+std::shared_ptr<const SplitMesh> checked(const PartModel& model, std::shared_ptr<const SplitMesh> split) {
+  const std::size_t pieces = split->pieces.size();
+  if (pieces > most_pieces(model.part.mesh.facets.size(), std::max(1.0, model.part.effort)))
+    throw Error(fmt::format("the surface of {} is in {} pieces by what hides it, too many to compare; {}",
+                            model.part.file, pieces, k_remedy));
+  return split;
+}
+
 }  // namespace
 
 OverlaySide::OverlaySide(std::shared_ptr<const PartModel> model, const Classification& result)
     : model_(std::move(model)),
-      split_(result.split),
+      split_(checked(*model_, result.split)),
       direction_(result.direction),
       tau_deg_(result.settings.tau_deg),
       faces_(part_faces(model_->part, model_->geometry, model_->adjacency)),
@@ -332,15 +341,8 @@ Overlay lay_on(const OverlaySide& side, const OverlaySide& onto, const OverlayTo
   std::mutex mutex;
   std::size_t done = 0;
   constexpr double k_always_looks = 2e7, k_looks_a_facet = 3000.0;  // real parts take up to 1000
-  constexpr double k_always_pieces = 1e5, k_pieces_a_facet = 8.0;   // real parts have up to 3
   const double effort = std::max({1.0, side.model().part.effort, onto.model().part.effort});
-  const std::size_t facets = side.model().part.mesh.facets.size() + onto.model().part.mesh.facets.size(),
-                    pieces = side.count() + onto.count();
-  if (static_cast<double>(pieces) >
-      effort * (k_always_pieces + k_pieces_a_facet * static_cast<double>(facets)))
-    throw Error(
-        fmt::format("the surface of the parts is in {} pieces by what hides it, too many to compare; {}",
-                    pieces, k_remedy));
+  const std::size_t facets = side.model().part.mesh.facets.size() + onto.model().part.mesh.facets.size();
   LayingWork work(
       static_cast<std::uint64_t>(effort * (k_always_looks + k_looks_a_facet * static_cast<double>(facets))));
   std::vector<PieceOverlay> results(blocks);

@@ -292,9 +292,7 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
   add_wishes(model, settings, result, costs);
   progress.report("assigning", 0.7);
 
-  const std::vector<double> heights = height           ? std::vector<double>{*height}
-                                      : result.sampled ? std::vector<double>{0.0}
-                                                       : level_heights(model, result);
+  const std::vector<double> heights = height ? std::vector<double>{*height} : level_heights(model, result);
   struct Trial {
     std::vector<MoldSide> sides;
     double energy = 0.0, slots = 0.0;
@@ -303,7 +301,7 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
   const std::vector<ThinWall> walls =
       heights.size() > 1 ? thin_walls(model, result.mesh, result.free) : std::vector<ThinWall>{};
   tbb::parallel_for(std::size_t{0}, heights.size(), [&](std::size_t k) {
-    trials[k].sides = result.sampled ? result.sides : cut_sides(result, costs, heights[k], progress);
+    trials[k].sides = cut_sides(result, costs, heights[k], progress);
     trials[k].energy = energy_of(result, costs, heights[k], trials[k].sides);
     for (const ThinWall& wall : walls)
       trials[k].slots += trials[k].sides[wall.piece] == trials[k].sides[wall.other] ? wall.cost : 0.0;
@@ -325,7 +323,7 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
   result.energy = best->energy;
   result.sides = std::move(best->sides);
   join_narrow(result, k_least_width * model.frame.diagonal, result.lateral, result.sides);
-  if (!result.sampled) give_seen_through(model, result);
+  give_seen_through(model, result);
   sum_areas(model, costs, result);
   for (std::uint8_t& free : result.free) free = free != 0 ? 1 : 0;
 }
@@ -352,8 +350,10 @@ Assignment assign_sides(const PartModel& model, const Query& query, const MoldSe
   Assignment result;
   result.direction = exact.direction;
   result.lateral = exact.lateral * model.frame.diagonal;
-  ExactSplit split = exact_split(model.exact(progress), exact, progress);
-  result.sampled = split.areas.mostly_sampled();
+  const ExactPart& part = model.exact(progress);
+  ExactSplit split = exact_split(part, exact, progress);
+  result.lineless = !split.has_lines(part.effort());
+  if (result.lineless) return result;
   result.mesh = std::move(split.mesh);
   if (settings.parting_height) check_height(model, result.direction, *settings.parting_height);
   progress.report("assigning", 0.0);

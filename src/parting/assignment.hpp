@@ -46,7 +46,7 @@ struct Assignment {
   double free_area = 0.0;
   double reverse_draft_area = 0.0;  // of what a half forms although it leans the other way
   double total_area = 0.0;
-  bool sampled = false;  // regions are: no line is sought, and what is free goes to the core
+  bool lineless = false;  // as of ExactSplit::has_lines(): nothing else is known then
   std::vector<std::string> warnings;
 
   [[nodiscard]] double area(MoldSide side) const { return areas[static_cast<std::size_t>(side)]; }

@@ -110,12 +110,13 @@ DividedWalls outer_walls(const PartModel& model, const MoldLine& found, double h
 MoldLine find_mold_line(const PartModel& model, const Query& query, const MoldSettings& settings,
                         const Progress& progress) {
   MoldLine found{assign_sides(model, query, settings, progress), {}};
+  if (found.assignment.lineless) return found;
   progress.report("assigning", 1.0);
   found.line = parting_line(found.assignment);
   progress.report("assigning", 1.0);
   const double diagonal = model.frame.diagonal, worth = planar_worth(settings, diagonal);
   const auto is_planar = [&](const MoldLine& line) { return line.line.is_planar(diagonal); };
-  if (settings.parting_height || found.assignment.sampled || is_planar(found)) return found;
+  if (settings.parting_height || is_planar(found)) return found;
   const auto cost_of = [&](const MoldLine& line) {
     return line.assignment.energy - (is_planar(line) ? worth : 0.0);
   };

@@ -59,7 +59,7 @@ const LeftSurface::Line& LeftSurface::line_of(const glm::dvec3& direction, const
   ExactQuery query = query_;
   query.direction = direction;
   ExactSplit split = exact_split(model_.exact(progress), query, progress);
-  if (split.areas.mostly_sampled()) refuse(model_);
+  if (!split.has_lines(model_.exact(progress).effort())) refuse(model_);
   Line line{.mesh = std::move(split.mesh), .first = {}};
   line.first.assign(model_.part.mesh.facets.size() + 1, 0);
   for (const SplitPiece& piece : line.mesh.pieces) ++line.first[piece.facet + 1];

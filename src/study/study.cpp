@@ -111,7 +111,7 @@ Asked<MoldLine>::Inputs Asked<MoldLine>::inputs(const Study& study) {
 std::shared_ptr<const MoldLine> Asked<MoldLine>::find(Study& study, const Progress& progress) {
   const Questions& asked = study.questions();
   auto line = shared(find_mold_line(study.model(), asked.query, asked.mold, progress));
-  if (line->assignment.sampled)
+  if (line->assignment.lineless)
     throw Error(study.model().part.file +
                 ": too many of its facets cross others to find a parting line; unite its bodies "
                 "(--repair union), take one of them (--body), or raise --effort");

@@ -57,5 +57,36 @@ TEST(LargePart, SideActionsOfFourHundredBoxesTakeTwoHundredMegabytesAndTwoKiloby
   EXPECT_LT(run.peak_memory, (std::size_t{200} << 20) + 2048 * heap.facets.size());
 }
 
+/// Loose facets that lie over each other are cut into dozens of pieces each: what asks for lines between them
+/// refuses, and says so.
+TEST(LargePart, LooseFacetsInOnePlaneTakeTwoHundredMegabytesAndTwoKilobytesAFacet) {
+  if (test::built_with_sanitizers()) GTEST_SKIP() << "the sanitizers take memory of their own";
+  constexpr std::size_t k_loose = 30'000;
+  const test::ScratchFolder folder;
+  test::Random random(4);
+  TriangleMesh loose;
+  for (std::size_t k = 0; k < k_loose; ++k) {
+    const glm::dvec3 at = random.in_cube(50.0);
+    for (int corner = 0; corner < 3; ++corner) {
+      const glm::dvec3 off = random.in_cube(1.0);
+      loose.vertices.push_back({at.x + off.x, at.y + off.y, 0.0});
+    }
+    const auto first = static_cast<VertexIndex>(3 * k);
+    loose.facets.push_back({first, first + 1, first + 2});
+  }
+  const std::string file = folder.file("loose.stl");
+  write_coloured_mesh(file, {loose, std::vector<Region>(k_loose, Region::core)});
+  const std::size_t most = (std::size_t{200} << 20) + 2048 * k_loose;
+  for (const char* command : {"classify", "actions", "mold"}) {
+    const bool refuses = command == std::string("mold");
+    const auto run = test::run_moldlight({command, file, "--direction", "0.1,0.5,-0.9"});
+    EXPECT_EQ(run.exit_code, refuses ? 1 : 0) << run.err;
+    const bool says_why = run.err.find("too many of its facets cross others") != std::string::npos;
+    EXPECT_EQ(says_why, refuses) << run.err;
+    EXPECT_LT(run.peak_memory, most) << command;
+    std::printf("%s: %.0f MiB\n", command, static_cast<double>(run.peak_memory) / (1 << 20));
+  }
+}
+
 }  // namespace
 }  // namespace moldlight

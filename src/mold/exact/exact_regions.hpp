@@ -37,13 +37,19 @@ struct ExactAreas {
   /// The error is twice the standard deviation of each region's area.
   std::size_t sampled_facets = 0;
   double sampling_error = 0.0;
-  /// Of more than one facet in a hundred: lines between regions say little then.
+  /// Of more than one facet in a hundred.
   [[nodiscard]] bool mostly_sampled() const { return 100 * sampled_facets > facet_fractions.size(); }
 };
 
 struct ExactSplit {
   ExactAreas areas;
   SplitMesh mesh;
+
+  /// Whether lines between the regions say something: not where facets are mostly sampled, nor where they are
+  /// in more pieces than most_pieces() are.
+  [[nodiscard]] bool has_lines(double effort) const {
+    return !areas.mostly_sampled() && mesh.pieces.size() <= most_pieces(areas.facet_fractions.size(), effort);
+  }
 };
 
 /// All use all cores of the calling thread's TBB arena; the result is the same to the bit for any number of

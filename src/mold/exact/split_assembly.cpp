@@ -59,25 +59,29 @@ void SplitAssembly::add(FacetIndex facet, const FacetCells& cells) {
                    .outlines = {}};
   std::vector<std::uint32_t> renumbered(cells.point_count(), k_none);
   for (std::uint32_t k = 0; k < 3; ++k) renumbered[k] = k;
+  std::uint32_t points = 3;
+  for (const std::uint32_t number : cells.outlines()) {
+    if (renumbered[number] == k_none) renumbered[number] = points++;
+  }
+  split.points.reserve(points);
+  split.outlines.reserve(cells.outlines().size());
   const glm::dvec2 origin = cells.point(0), to_1 = cells.point(1) - origin, to_2 = cells.point(2) - origin;
   const double twice_area = to_1.x * to_2.y - to_1.y * to_2.x;
   for (const std::uint32_t number : cells.outlines()) {
-    if (renumbered[number] == k_none) {
-      renumbered[number] = static_cast<std::uint32_t>(split.points.size());
+    if (renumbered[number] == split.points.size()) {
       Point point;
-      point.side = cells.side_of(number);
+      const std::uint32_t from = cells.side_of(number), to = (from + 1) % 3;
+      point.side = from & 3U;
       const glm::dvec2 at = cells.point(number) - origin;
-      if (point.side == 3) {
-        point.weights[1] = (at.x * to_2.y - at.y * to_2.x) / twice_area;
-        point.weights[2] = (to_1.x * at.y - to_1.y * at.x) / twice_area;
-        point.weights[0] = 1.0 - point.weights[1] - point.weights[2];
+      if (from == k_inside) {
+        point.at = {(at.x * to_2.y - at.y * to_2.x) / twice_area,
+                    (to_1.x * at.y - to_1.y * at.x) / twice_area};
       } else {
-        const std::uint32_t from = point.side, to = (point.side + 1) % 3;
         const glm::dvec2 side = cells.point(to) - cells.point(from);
         const double share = glm::dot(cells.point(number) - cells.point(from), side) / glm::dot(side, side);
         CHECK(std::isfinite(share));
         const auto& corners = part_.mesh().facets[facet];
-        point.along = corners[from] < corners[to] ? share : 1.0 - share;
+        point.at[0] = corners[from] < corners[to] ? share : 1.0 - share;
       }
       split.points.push_back(point);
     }
@@ -109,10 +113,14 @@ SplitMesh SplitAssembly::finish(const Progress& progress) {
       append_pieces(static_cast<FacetIndex>(facet), parts[k], polygon);
     }
   });
+  split_ = {};
   std::size_t count = 0;
   for (const auto& part : parts) count += part.size();
   mesh_.pieces.reserve(count);
-  for (const auto& part : parts) mesh_.pieces.insert(mesh_.pieces.end(), part.begin(), part.end());
+  for (auto& part : parts) {
+    mesh_.pieces.insert(mesh_.pieces.end(), part.begin(), part.end());
+    part = {};
+  }
   leave_out_unused_vertices();
   return std::move(mesh_);
 }
@@ -147,8 +155,8 @@ void SplitAssembly::join_side_points() {
   for (std::uint32_t k = 0; k < split_.size(); ++k) {
     for (std::uint32_t p = 3; p < split_[k].points.size(); ++p) {
       const Point& point = split_[k].points[p];
-      if (point.side < 3)
-        on_sides.push_back({part_.side_edges()[split_[k].facet][point.side], point.along, k, p});
+      if (point.side != k_inside)
+        on_sides.push_back({part_.side_edges()[split_[k].facet][point.side], point.at[0], k, p});
     }
   }
   tbb::parallel_sort(on_sides.begin(), on_sides.end(), [](const SidePoint& a, const SidePoint& b) {
@@ -175,7 +183,7 @@ void SplitAssembly::join_side_points() {
       }
       Point& point = split_[at.split].points[at.point];
       point.vertex = edge_vertices_.back();
-      point.place = place - 1;
+      point.place = (place - 1) & 0x3FFFFFFFU;
     }
     first_on_edge_[on_sides[begin].edge + 1] = place;
   }
@@ -189,11 +197,11 @@ void SplitAssembly::number_inner_points() {
       Point& point = split.points[k];
       if (k < 3) {
         point.vertex = corners[k];
-      } else if (point.side == 3) {
+      } else if (point.side == k_inside) {
         point.vertex = static_cast<VertexIndex>(mesh_.vertices.size());
-        mesh_.vertices.push_back(point.weights[0] * part_.mesh().vertices[corners[0]] +
-                                 point.weights[1] * part_.mesh().vertices[corners[1]] +
-                                 point.weights[2] * part_.mesh().vertices[corners[2]]);
+        mesh_.vertices.push_back((1.0 - point.at[0] - point.at[1]) * part_.mesh().vertices[corners[0]] +
+                                 point.at[0] * part_.mesh().vertices[corners[1]] +
+                                 point.at[1] * part_.mesh().vertices[corners[2]]);
       }
       CHECK(point.vertex < mesh_.vertices.size());
     }

@@ -27,13 +27,14 @@ class SplitAssembly {
 
  private:
   static constexpr std::uint32_t k_none = ~0U;
-  /// A corner of a cell that is not one of the facet's.
+  static constexpr std::uint32_t k_inside = 3;
+  /// A corner of a cell that is not one of the facet's. There are twenty a facet where shadows are dense.
   struct Point {
-    std::array<double, 3> weights{};  // of the facet's corners
-    std::uint32_t side = 3;           // of the facet; 3: inside it
-    double along = 0.0;               // share of the part's edge, from its lower vertex
-    std::uint32_t vertex = k_none;    // of the split mesh
-    std::uint32_t place = 0;          // among the vertices of the part's edge
+    std::array<double, 2> at{};         // weights of the facet's corners 1 and 2; on a side: the share of the
+                                        // part's edge, from its lower vertex
+    std::uint32_t vertex = k_none;      // of the split mesh
+    std::uint32_t side : 2 = k_inside;  // of the facet
+    std::uint32_t place : 30 = 0;       // among the vertices of the part's edge
   };
   struct SplitFacet {
     FacetIndex facet = 0;

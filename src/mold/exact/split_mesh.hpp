@@ -43,4 +43,11 @@ struct RegionBorder {
 /// Every edge of the split mesh whose two pieces are of different regions, chained.
 [[nodiscard]] std::vector<RegionBorder> region_borders(const SplitMesh& mesh);
 
+/// Pieces that are looked at one by one, as for the lines between them: some 400 bytes each. Parts have up to
+/// four a facet, loose facets that lie over each other dozens. `effort` multiplies them.
+[[nodiscard]] inline std::size_t most_pieces(std::size_t facets, double effort) {
+  constexpr double k_always = 100'000.0, k_a_facet = 8.0;
+  return static_cast<std::size_t>(effort * (k_always + k_a_facet * static_cast<double>(facets)));
+}
+
 }  // namespace moldlight
