@@ -222,7 +222,7 @@ void join_narrow(const Assignment& assignment, double least_width, double latera
 }
 
 /// A slide forms what a half sees only through a hole, across the slide's room.
-void give_seen_through(const PartModel& model, Assignment& assignment) {
+void give_seen_through(const PartModel& model, const Progress& progress, Assignment& assignment) {
   std::vector<std::uint8_t> former;
   for (const MoldSide side : assignment.sides) former.push_back(static_cast<std::uint8_t>(side));
   assignment.seen_through = seen_through({.model = model,
@@ -232,7 +232,8 @@ void give_seen_through(const PartModel& model, Assignment& assignment) {
                                           .former = former,
                                           .action = static_cast<std::uint8_t>(MoldSide::action),
                                           .direction = assignment.direction,
-                                          .lateral = assignment.lateral / model.frame.diagonal});
+                                          .lateral = assignment.lateral / model.frame.diagonal},
+                                         progress);
   for (const SeenPatch& patch : assignment.seen_through) {
     for (const PieceIndex piece : patch.pieces) assignment.sides[piece] = MoldSide::action;
   }
@@ -323,7 +324,7 @@ void find_sides(const PartModel& model, const MoldSettings& settings, std::optio
   result.energy = best->energy;
   result.sides = std::move(best->sides);
   join_narrow(result, k_least_width * model.frame.diagonal, result.lateral, result.sides);
-  give_seen_through(model, result);
+  give_seen_through(model, progress, result);
   sum_areas(model, costs, result);
   for (std::uint8_t& free : result.free) free = free != 0 ? 1 : 0;
 }

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/error.hpp"
 #include "mesh/union_find.hpp"
 
 namespace moldlight {
@@ -40,11 +41,12 @@ class PatchFinder {
  public:
   explicit PatchFinder(const SeenThrough& wish) : wish_(wish), joined_(wish.mesh.pieces.size()) {}
 
-  std::vector<SeenPatch> run() {
+  std::vector<SeenPatch> run(const Progress& progress) {
     std::vector<SeenPatch> found;
     if (std::ranges::find(wish_.former, wish_.action) == wish_.former.end()) return found;
     find_patches();
     for (const auto& [number, patch] : patches_) {
+      if (progress.cancelled()) throw Cancelled();
       if (wish_.former[number] == wish_.action || patch.on_wall.empty()) continue;
       const auto& [room, length] =
           *std::ranges::max_element(patch.on_wall, {}, [](const auto& entry) { return entry.second; });
@@ -165,6 +167,8 @@ class PatchFinder {
 
 }  // namespace
 
-std::vector<SeenPatch> seen_through(const SeenThrough& wish) { return PatchFinder(wish).run(); }
+std::vector<SeenPatch> seen_through(const SeenThrough& wish, const Progress& progress) {
+  return PatchFinder(wish).run(progress);
+}
 
 }  // namespace moldlight

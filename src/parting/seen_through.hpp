@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "classify/part_model.hpp"
 #include "parting/piece_edges.hpp"
 
@@ -26,6 +27,7 @@ struct SeenPatch {
   std::vector<PieceIndex> pieces;
   glm::dvec3 way{1, 0, 0};  // unit
 };
-[[nodiscard]] std::vector<SeenPatch> seen_through(const SeenThrough& wish);
+/// Throws Cancelled.
+[[nodiscard]] std::vector<SeenPatch> seen_through(const SeenThrough& wish, const Progress& progress);
 
 }  // namespace moldlight
