@@ -291,6 +291,12 @@ std::vector<std::string> missed_lines(const PartModel& model, const MoldHalves& 
   return lines;
 }
 
+Json mold_settings_json(const MoldReport& report) {
+  Json json = options_json(method_options(), report.query.method);
+  json.update(options_json(mold_options(), report.settings));
+  return json;
+}
+
 Json mold_json(const MoldReport& report) {
   const auto& [model, query, settings, assignment, line, halves, written, plan, pieces] = report;
   Json json;
@@ -299,8 +305,7 @@ Json mold_json(const MoldReport& report) {
   warnings.insert(warnings.end(), assignment.warnings.begin(), assignment.warnings.end());
   json["part"] = part_json(model, warnings);
   json["direction"] = point_json(assignment.direction);
-  json["settings"] = options_json(method_options(), query.method);
-  json["settings"].update(options_json(mold_options(), settings));
+  json["settings"] = mold_settings_json(report);
   put_figures(found_figures(assignment_figures(), assignment), json["assignment"]);
   put_figures(found_figures(euler_figures(), line.euler), json["euler"]);
   json["loops"] = Json::array();

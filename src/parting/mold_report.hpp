@@ -50,6 +50,8 @@ struct MoldReport {
 /// Schema `moldlight.mold/2`, without its verdict. Lengths and areas are in the part's unit, angles in
 /// degrees.
 [[nodiscard]] Json mold_json(const MoldReport& report);
+/// What of it stands under "settings".
+[[nodiscard]] Json mold_settings_json(const MoldReport& report);
 
 /// A body's file and figures; and rows of 4 x 4 numbers, from the coordinates of the files to the part's.
 [[nodiscard]] Json written_body_json(const WrittenBody& body);

@@ -416,6 +416,19 @@ ExactAreas summed(const ExactPart& part, const std::vector<FacetSplitter::Outcom
   return result;
 }
 
+/// The cells of these facets; what finds them is gone before they are put together.
+template <typename Visit>
+void add_cells(const ExactPart& part, const ExactQuery& query, std::span<const FacetIndex> facets,
+               const Progress& progress, SplitAssembly& assembly, const Visit& visit) {
+  const ProjectedPart projected(part, query.direction, progress);
+  progress.report("computing regions", 0.0);
+  Splitters splitters = splitters_for(projected, query, progress);
+  visit_facets(splitters, facets, progress, [&](FacetSplitter& splitter, FacetIndex facet) {
+    visit(facet, splitter.split(facet, true));
+    assembly.add(facet, splitter.cells());
+  });
+}
+
 }  // namespace
 
 ExactAreas exact_areas(const ExactPart& part, const ExactQuery& query, const Progress& progress) {
@@ -423,23 +436,15 @@ ExactAreas exact_areas(const ExactPart& part, const ExactQuery& query, const Pro
 }
 
 ExactSplit exact_split(const ExactPart& part, const ExactQuery& query, const Progress& progress) {
-  const ProjectedPart projected(part, query.direction, progress);
-  progress.report("computing regions", 0.0);
-  Splitters splitters = splitters_for(projected, query, progress);
   std::vector<FacetSplitter::Outcome> outcomes(part.mesh().facets.size());
   SplitAssembly assembly(part);
-  visit_facets(splitters, facet_order(outcomes.size(), {}), progress,
-               [&](FacetSplitter& splitter, FacetIndex facet) {
-                 outcomes[facet] = splitter.split(facet, true);
-                 assembly.add(facet, splitter.cells());
-               });
+  add_cells(part, query, facet_order(outcomes.size(), {}), progress, assembly,
+            [&](FacetIndex facet, const FacetSplitter::Outcome& outcome) { outcomes[facet] = outcome; });
   return {summed(part, outcomes), assembly.finish(progress)};
 }
 
 SplitMesh exact_split_around(const ExactPart& part, const ExactQuery& query,
                              std::span<const FacetIndex> facets, const Progress& progress) {
-  const ProjectedPart projected(part, query.direction, progress);
-  progress.report("computing regions", 0.0);
   // Points on the edges between them and others come from both.
   std::vector<FacetIndex> around(facets.begin(), facets.end());
   for (const FacetIndex facet : facets) {
@@ -452,12 +457,8 @@ SplitMesh exact_split_around(const ExactPart& part, const ExactQuery& query,
   }
   std::ranges::sort(around);
   around.erase(std::unique(around.begin(), around.end()), around.end());
-  Splitters splitters = splitters_for(projected, query, progress);
   SplitAssembly assembly(part);
-  visit_facets(splitters, around, progress, [&](FacetSplitter& splitter, FacetIndex facet) {
-    splitter.split(facet, true);
-    assembly.add(facet, splitter.cells());
-  });
+  add_cells(part, query, around, progress, assembly, [](FacetIndex, const FacetSplitter::Outcome&) {});
   return assembly.finish(progress);
 }
 

@@ -328,6 +328,10 @@ void ProjectedPart::leave_out_hidden_edges(const Progress& progress) {
   const std::vector<ContourExtent> extents = std::move(contour_extents_);
   contour_.clear();
   contour_extents_.clear();
+  std::size_t count = 0;
+  for (const std::vector<Found>& some : found) count += some.size();
+  contour_.reserve(count);
+  contour_extents_.reserve(count);
   for (const std::vector<Found>& some : found) {
     for (const Found& one : some) {
       ContourEdge edge = edges[one.edge];

@@ -226,7 +226,7 @@ Report mold_report(const ReportContext& context, Study& study) {
     report.sections.push_back(insert_actions_section(found));
   report.sections.push_back(part_section(context, mold_warnings(study, context.progress)));
   report.sections.push_back(details_section(found));
-  report.sections.push_back(repeat_section(context, mold_json(found)["settings"]));
+  report.sections.push_back(repeat_section(context, mold_settings_json(found)));
   return report;
 }
 
