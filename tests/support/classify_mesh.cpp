@@ -15,8 +15,9 @@ const gl::Context& shared_context() {
   return *k_context;
 }
 
-std::shared_ptr<const PartModel> model_of(TriangleMesh mesh) {
+std::shared_ptr<const PartModel> model_of(TriangleMesh mesh, double effort) {
   Part part;
+  part.effort = effort;
   part.file = "(test)";
   part.bodies = {{"", 0, static_cast<FacetIndex>(mesh.facets.size())}};
   part.mesh = std::move(mesh);

@@ -11,7 +11,7 @@ namespace moldlight::test {
 /// One headless context for all tests of a program, current on the calling thread.
 [[nodiscard]] const gl::Context& shared_context();
 
-[[nodiscard]] std::shared_ptr<const PartModel> model_of(TriangleMesh mesh);
+[[nodiscard]] std::shared_ptr<const PartModel> model_of(TriangleMesh mesh, double effort = 1.0);
 
 [[nodiscard]] Classification classify_mesh(TriangleMesh mesh, const Query& query);
 

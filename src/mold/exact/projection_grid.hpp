@@ -180,6 +180,7 @@ void ProjectionGrid::for_each_item(std::span<const glm::dvec2> corners, const Vi
 template <typename Corners>
 void ProjectionGrid::fill(const Box& box, double cells, std::span<const std::uint32_t> items,
                           const Corners& corners) {
+  *this = {};  // what it was filled with before has no room beside what comes
   const glm::dvec2 extent = items.empty() ? glm::dvec2(0.0) : mean_extent(items, corners);
   const std::size_t most = k_entries_an_item * items.size() + k_always_entries;
   const auto are_too_many = [&] {

@@ -12,6 +12,7 @@
 #include "support/classify_mesh.hpp"
 #include "support/curved_solids.hpp"
 #include "support/mesh_edits.hpp"
+#include "support/process.hpp"
 
 namespace moldlight {
 namespace {
@@ -22,9 +23,9 @@ struct Smoothed {
   PartingLine line;
 };
 
-Smoothed smoothed_line(TriangleMesh mesh, double soft_deg) {
+Smoothed smoothed_line(TriangleMesh mesh, double soft_deg, double effort = 1.0) {
   Smoothed found;
-  found.model = test::model_of(std::move(mesh));
+  found.model = test::model_of(std::move(mesh), effort);
   MoldSettings settings;
   settings.soft_deg = soft_deg;
   found.assignment = assign_sides(*found.model, {glm::dvec3(0, 0, 1), {}}, settings, Progress{});
@@ -110,7 +111,7 @@ TEST(LineSmoothing, LeavesTheLineOnCreases) {
 }
 
 TEST(LineSmoothing, ThousandsOfPiecesAroundOneEdgeTakeLittleMemory) {
-  constexpr int k_blades = 8000;
+  constexpr int k_blades = 3000;
   TriangleMesh mesh{.vertices = {{0, 0, 0}, {0, 0, 1}}, .facets = {}};
   for (int k = 0; k < k_blades; ++k) {
     const double turn = 2.0 * std::numbers::pi * k / k_blades;
@@ -123,9 +124,10 @@ TEST(LineSmoothing, ThousandsOfPiecesAroundOneEdgeTakeLittleMemory) {
     return usage.ru_maxrss / 1024;
   };
   const auto before = peak_mib();
-  const Smoothed found = smoothed_line(std::move(mesh), 1.0);
+  // With the usual effort they are sampled, and no line is sought.
+  const Smoothed found = smoothed_line(std::move(mesh), 1.0, 1000.0);
   EXPECT_FALSE(found.line.loops.empty());
-  EXPECT_LT(peak_mib() - before, 300);
+  EXPECT_LT(peak_mib() - before, test::built_with_sanitizers() ? 300 : 40);
 }
 
 }  // namespace
