@@ -85,7 +85,7 @@ void become_worker(pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) ::raise(SIGTERM);
-  // Where memory runs short, the work goes rather than the one that tells of it.
+  // Where memory runs short, the work goes rather than the one that reports it.
   if (const int score = ::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); score >= 0) {
     static_cast<void>(!::write(score, "500", 3));
     ::close(score);
@@ -99,7 +99,7 @@ int status_at_end(pid_t child, const BlockedSignals& signals, bool& asked) {
     const pid_t ended = ::waitpid(child, &status, WNOHANG);
     if (ended == child) return status;
     if (ended < 0 && errno != EINTR)
-      throw Error(fmt::format("waiting for the window: {}", std::strerror(errno)));
+      throw Error(fmt::format("waiting for the working process: {}", std::strerror(errno)));
     const int signal = signals.wait();
     if (signal == SIGCHLD || is_ignored(signal)) continue;
     asked = true;
@@ -149,7 +149,7 @@ Supervised supervise(WorkRecord& record) {
     const Stopwatch life;
     std::optional<BlockedSignals> signals(std::in_place);
     const pid_t child = ::fork();
-    if (child < 0) throw Error(fmt::format("no process for the window: {}", std::strerror(errno)));
+    if (child < 0) throw Error(fmt::format("no process to work in: {}", std::strerror(errno)));
     if (child == 0) {
       become_worker(parent);
       signals.reset();
@@ -161,12 +161,11 @@ Supervised supervise(WorkRecord& record) {
     const int signal = WTERMSIG(status);
     if (asked || signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
       return {.exit_code = 128 + signal, .forerunner = {}};
-    forerunner = {.cause = name_of(signal), .record = record.text(), .after_s = life.elapsed_ms() / 1000.0};
-    soon = forerunner->after_s < k_soon_s ? soon + 1 : 0;
+    forerunner = {.cause = name_of(signal), .record = record.text()};
+    soon = life.elapsed_ms() < 1000.0 * k_soon_s ? soon + 1 : 0;
     if (soon == k_died_within)
-      throw Error(
-          fmt::format("the window crashed twice within {:.0f} s ({}); settings and bookmarks are kept",
-                      k_soon_s, forerunner->cause));
+      throw Error(fmt::format("the program crashed twice, each time within {:.0f} s of its start ({})",
+                              k_soon_s, forerunner->cause));
   }
 }
 

@@ -1,5 +1,5 @@
-// A process that does the work, and its parent that lives on when the work crashes: begins it again, and
-// tells it what became of it.
+// A process that does the work, and its parent that lives on when that crashes: it begins the work anew, and
+// hands over what the crashed process had noted.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,6 @@ namespace moldlight {
 struct WorkerDeath {
   std::string cause;   // "segmentation fault"
   std::string record;  // what it had noted last, as WorkRecord has it
-  double after_s = 0.0;
 };
 
 /// A text that outlives the process which writes it.
@@ -47,8 +46,8 @@ struct Supervised {
 };
 
 /// Forks; the child returns at once and works, with a group of its own. The parent hands SIGINT, SIGTERM and
-/// SIGHUP on to it, and forks again after each death by a signal that nobody asked for. Gives up after the
-/// second that comes within 10 s of the child's beginning: throws Error that says so. Called while the
+/// SIGHUP on to it, and forks again after each death by a signal that nobody asked for. After two in a row
+/// that come within 10 s of the child's beginning it gives up: throws Error that says so. Called while the
 /// process has no other thread. Throws Error where no process can be started.
 [[nodiscard]] Supervised supervise(WorkRecord& record);
 

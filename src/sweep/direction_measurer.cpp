@@ -33,8 +33,10 @@ void DirectionMeasurer::find_beside(MeasuredDirection& measured, const MeasuredB
                                           .facets = measured.undercut_facets,
                                           .least_travel_mm = asked.least_travel_mm},
                                          progress);
-  if (asked.parting && !measured.parting)
-    measured.parting = line_figures(find_mold_line(model_, query, {}, progress).line);
+  if (!asked.parting || measured.parting || measured.lineless) return;
+  const MoldLine found = find_mold_line(model_, query, {}, progress);
+  measured.lineless = found.assignment.lineless;
+  if (!measured.lineless) measured.parting = line_figures(found.line);
 }
 
 void DirectionMeasurer::complete(MeasuredDirection& measured, const Progress& progress) {

@@ -25,6 +25,7 @@ struct MeasuredDirection {
   // Where the measurer was asked for it:
   std::optional<UndercutTotals> undercuts = {};
   std::optional<LineFigures> parting = {};
+  bool lineless = false;  // it was asked for, and there is none, as of Assignment::lineless
 };
 
 /// What else is found of a direction, each in about the time that the regions take.

@@ -52,8 +52,10 @@ MoldCost mold_cost(const PartModel& model, const Classification& regions, const 
 }
 
 MoldCost MoldRanking::cost(const Contender& contender) const {
+  // Where no line is known it counts as one that climbs as far as any is held against a direction.
+  const LineFigures unknown{.outer_climb = k_most_of_line * tools_.model.frame.diagonal};
   MoldCost cost = mold_cost(tools_.model, contender.measured->classification, *contender.actions,
-                            *contender.measured->parting);
+                            contender.measured->parting.value_or(unknown));
   cost.of(MoldCriterion::depth) = contender.figures.draw_depth / tools_.model.frame.diagonal;
   cost.direction = contender.candidate.direction;
   cost.canonical = contender.canonical();
@@ -134,7 +136,7 @@ void MoldRanking::find_costs(std::span<Contender> contenders, bool to_the_end) {
     }
     tools_.measurer.find_lines(lines, tools_.clock.until_cancelled());
     for (std::size_t k = 0; k < looked_at.size(); ++k) {
-      if (!with_line[k]->parting) continue;
+      if (!with_line[k]->parting && !with_line[k]->lineless) continue;
       Contender& contender = *looked_at[k];
       contender.measured = with_line[k];
       contender.figures = tools_.rating.measured(contender.candidate, *contender.measured, contender.actions);

@@ -320,5 +320,21 @@ TEST(RecommendedDirection, IsToldBeforeTheSearchOnce) {
   }
 }
 
+/// No effort, so that regions are too coarse for lines between them: none is not a planar one.
+TEST(Recommended, ALineThatIsNotKnownIsNotPlanar) {
+  SweepSettings settings;
+  settings.directions = 30;
+  settings.refine = 0;
+  const SweepResult result =
+      run_sweep(test::model_of(test::box_mesh({0, 0, 0}, {4, 3, 2}), 1e-9), settings, Progress{}, {});
+  ASSERT_FALSE(result.candidates.empty());
+  std::size_t ranked = 0;
+  for (const SweepCandidate& each : result.candidates) {
+    EXPECT_FALSE(each.line.has_value()) << direction_words(each.candidate.direction);
+    ranked += each.actions ? 1 : 0;
+  }
+  EXPECT_GT(ranked, 0U);
+}
+
 }  // namespace
 }  // namespace moldlight
